@@ -15,10 +15,10 @@ struct CacheKey {
   auto operator<=>(const CacheKey&) const = default;
 };
 
-using IgnoredKey = CacheKey<struct IgnoredKeyTag>;  ///< of ignored edges
-using TraceKey = CacheKey<struct TraceKeyTag>;      ///< of spine and generated ribs
+using IgnoredKey = CacheKey<struct IgnoredKeyTag>;    ///< of ignored edges
+using TraceKey = CacheKey<struct TraceKeyTag>;        ///< of spine and generated ribs
 using InteriorKey = CacheKey<struct InteriorKeyTag>;  ///< of the skeleton and the fields of a puff
-using ShapeKey = CacheKey<struct ShapeKeyTag>;      ///< of a part's mesh and texture
-using SolidKey = CacheKey<struct SolidKeyTag>;      ///< of what the solver makes
+using ShapeKey = CacheKey<struct ShapeKeyTag>;        ///< of a part's mesh and texture
+using SolidKey = CacheKey<struct SolidKeyTag>;        ///< of what the solver makes
 
 }  // namespace spineloft

@@ -41,9 +41,9 @@ inline constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::ma
 /// that come, moves, thickness. An edit belongs to the place of the skeleton nearest to its point when that lies in the
 /// largest disc there. A dropped branch takes along what hangs on it away from the rings, or from the largest disc;
 /// cycles cannot be dropped. An added line ends where it leaves the region, and begins where it last crosses the
-/// skeleton. An edit that would make the skeleton cross itself or leave the region sleeps. A slice with a place is what the
-/// puff has at the point nearest to it, and passes along the skeleton into others: its share minimises ∫ f'², where a
-/// slice has no place ∫ f'² + (f/2R)², which fades into that one. Errors: those of skeletonOf.
+/// skeleton. An edit that would make the skeleton cross itself or leave the region sleeps. A slice with a place is what
+/// the puff has at the point nearest to it, and passes along the skeleton into others: its share minimises ∫ f'², where
+/// a slice has no place ∫ f'² + (f/2R)², which fades into that one. Errors: those of skeletonOf.
 Result<EditedSkeleton> editedSkeleton(const geometry::Contours& piece, const BoneEdits& edits,
                                       std::span<const ProfileSlice> slices = {});
 

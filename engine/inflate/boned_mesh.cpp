@@ -90,8 +90,7 @@ std::optional<Boned> bonedMesh(const geometry::PlaneRegion& rim, const Bones& bo
     index.push_back(*there);
   }
   boned.width.assign(boned.mesh.points().size(), {});
-  for (std::size_t i = 0; i < index.size(); ++i)
-    boned.width[index[i]] = {bones.points[i].radius, bones.points[i].over};
+  for (std::size_t i = 0; i < index.size(); ++i) boned.width[index[i]] = {bones.points[i].radius, bones.points[i].over};
   for (const auto& [a, b] : bones.edges) {
     if (index[a] != index[b]) boned.edges.push_back({index[a], index[b]});
   }

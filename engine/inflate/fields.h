@@ -36,8 +36,8 @@ struct Fields {
 
 /// s and H on about 1,000 points. s² has a Laplacian that is smoothed from that of d_S/(d_S + d_R), the distances to
 /// skeleton and outline, over 0.15 half widths, so that s is exact on discs, strips and rings, and s² has no crease
-/// elsewhere; H is the radius of the nearest point of the skeleton, and Over that of it, smoothed in the same way. Ends of
-/// the skeleton nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
+/// elsewhere; H is the radius of the nearest point of the skeleton, and Over that of it, smoothed in the same way. Ends
+/// of the skeleton nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton);
 
 /// The same with an s that grows from 0 to 1 over the last `reach` pixels before the outline, wherever the region is so
@@ -60,8 +60,8 @@ struct LevelLine {
   std::uint32_t side = 0;          ///< the outline that it goes round with
   std::vector<LevelPoint> points;  ///< closed; the skeleton on its right, the outline on its left
 };
-/// All lines where s is the sum of the slices' `levels` by their shares, 0 < level < 1. Where that is the same everywhere:
-/// one an outline.
+/// All lines where s is the sum of the slices' `levels` by their shares, 0 < level < 1. Where that is the same
+/// everywhere: one an outline.
 std::vector<LevelLine> levelLines(const Fields& fields, std::span<const double> levels);
 
 }  // namespace spineloft::inflate

@@ -92,8 +92,8 @@ inline bool isValid(const InflateParams& p) {
   }
   return p.height >= kLeastHeight && p.height <= kMostHeight && p.sides < InflateSides::kCount &&
          p.points >= kLeastPoints && p.points <= kMostPoints && p.profile.slices.size() <= kMostSlices &&
-         p.profile.follow >= 0 && p.profile.follow <= 1 && p.profile.across < Across::kCount && p.profile.reach >= kLeastReach &&
-         p.profile.reach <= kMostReach && isValid(p.bones);
+         p.profile.follow >= 0 && p.profile.follow <= 1 && p.profile.across < Across::kCount &&
+         p.profile.reach >= kLeastReach && p.profile.reach <= kMostReach && isValid(p.bones);
 }
 
 }  // namespace spineloft::inflate

@@ -1,5 +1,5 @@
-// What a region has inside that does not depend on what stands over it: its skeleton, and the fields between that and its
-// outlines.
+// What a region has inside that does not depend on what stands over it: its skeleton, and the fields between that and
+// its outlines.
 #pragma once
 
 #include <cstddef>

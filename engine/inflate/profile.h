@@ -22,9 +22,9 @@ struct ProfileCurve {
 /// those of checkShape; lopsided; beyond the outline; only touching the axis; nothing on the side that is asked for.
 Result<std::vector<ProfileCurve>> profileCurves(const sections::SectionShape& shape, InflateSides sides);
 
-/// The curves of all slices: by curve the same one in each slice. Every slice has as many bodies, rings and holes as the
-/// first. Errors: those of profileCurves; SectionInvalid for slices that do not match, that would cross themselves on the
-/// way from one to another, or more than one of which has no place.
+/// The curves of all slices: by curve the same one in each slice. Every slice has as many bodies, rings and holes as
+/// the first. Errors: those of profileCurves; SectionInvalid for slices that do not match, that would cross themselves
+/// on the way from one to another, or more than one of which has no place.
 using MatchedCurves = std::vector<std::vector<ProfileCurve>>;
 Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, InflateSides sides);
 

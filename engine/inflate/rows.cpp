@@ -189,14 +189,14 @@ class Joining {
 class Builder {
  public:
   Builder(const Fields& fields, const RowParams& params, mesh::TriMesh& mesh)
-      : fields_(fields),
-        bones_(bonesOf(fields)), params_(params), mesh_(mesh), first_(mesh.positions.size()) {}
+      : fields_(fields), bones_(bonesOf(fields)), params_(params), mesh_(mesh), first_(mesh.positions.size()) {}
 
   /// A point of a row, its z in each slice.
   std::uint32_t add(const LevelPoint& p, const ProfileRow& row) {
     double z = 0;
     for (std::size_t k = 0; k < row.size(); ++k) z += p.over.share[k] * row[k].y;
-    const double thick = std::pow(fields_.widthOf(p.half), params_.follow) * std::pow(params_.widest, 1 - params_.follow);
+    const double thick =
+        std::pow(fields_.widthOf(p.half), params_.follow) * std::pow(params_.widest, 1 - params_.follow);
     const ModelPoint at{p.at.x, p.at.y, z * thick * p.over.factor * params_.height};
     points_.push_back(at);
     mesh_.positions.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});

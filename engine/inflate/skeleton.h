@@ -14,7 +14,7 @@ namespace spineloft::inflate {
 
 /// What a person wants of the solid over a place of the skeleton; the fields carry it into the region.
 struct Over {
-  double factor = 1;                          ///< of the thickness
+  double factor = 1;                         ///< of the thickness
   std::array<double, kMostSlices> share{1};  ///< of each slice, of 1 in all
   bool operator==(const Over&) const = default;
 };

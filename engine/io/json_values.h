@@ -47,7 +47,7 @@ struct LoftReport {
     int slices = 0, middle = 0, offAxis = 0;  ///< slices; curves from axis to axis and beside it of each
   };
   std::optional<Profile> profile;  ///< of a puff with a slice
-  NamedNumbers milliseconds;                            ///< by stage
+  NamedNumbers milliseconds;       ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
 /// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}; of a puff

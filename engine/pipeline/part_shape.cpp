@@ -63,8 +63,9 @@ std::size_t bytesOf(const PartShape& shape) {
   const mesh::TriMesh& m = shape.mesh;
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
-         bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) + bytes(m.positions) +
-         bytes(m.triangles) + bytes(m.uv) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+         bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
+         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) +
+         (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored) {

@@ -14,7 +14,8 @@ class Report {
   Report(const Report&) = delete;
   Report& operator=(const Report&) = delete;
   /// Least, median, 95th and 99th percentile of the times of `work(i)`, i = 0 … runs − 1, after two
-  /// warm-up runs; and median and 99th percentile of what it takes of the processor, in all threads. Returns the median.
+  /// warm-up runs; and median and 99th percentile of what it takes of the processor, in all threads. Returns the
+  /// median.
   double stage(const std::string& name, int runs, const std::function<void(int)>& work);
   /// Any other number.
   void value(const std::string& name, double number);

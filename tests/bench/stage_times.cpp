@@ -102,10 +102,10 @@ void reportRegionStages(bench::Report& report) {
   round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
-  const double soft = report.stage("puff of 400 px, 4000 points", 21,
-                                   [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
-  const double softMoving = report.stage("puff under the pen, 900 points", 51,
-                                         [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
+  const double soft =
+      report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
+  const double softMoving =
+      report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
   const auto ratio = [&](const char* name, int runs, double of, const std::function<void(int)>& work) {
     report.value(std::string(name) + ", ratio to a soft puff", report.stage(name, runs, work) / of);
   };

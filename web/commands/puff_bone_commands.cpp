@@ -46,7 +46,8 @@ Refusal noBones() {
 
 const char* whyNot(std::vector<char> inflate::AwakeEdits::* kind) {
   if (kind == &inflate::AwakeEdits::drop) return "No bone that can be left out is there. A bone round a hole stays.";
-  if (kind == &inflate::AwakeEdits::add) return "A new bone begins on a bone, crosses no other, and stays in the shape.";
+  if (kind == &inflate::AwakeEdits::add)
+    return "A new bone begins on a bone, crosses no other, and stays in the shape.";
   if (kind == &inflate::AwakeEdits::move) return "It cannot go there: bones stay in the shape and cross no other.";
   return "No bone is there.";
 }

@@ -257,8 +257,7 @@ std::vector<std::vector<ModelPoint>> sliceLines(const BonedPuff& puff, const Bon
     for (const inflate::SkeletonPoint& point : piece.skeleton.points) widest = std::max(widest, point.radius);
   }
   const double follow = params.profile.follow;
-  const double thick =
-      std::pow(slice.half, follow) * std::pow(widest, 1 - follow) * slice.factor * params.height;
+  const double thick = std::pow(slice.half, follow) * std::pow(widest, 1 - follow) * slice.factor * params.height;
   std::vector<std::vector<ModelPoint>> lines;
   for (const auto& [points, closed] : curves.value()) {
     for (const double side : {1.0, -1.0}) {
@@ -406,8 +405,8 @@ inflate::ProfileParams withBase(const inflate::ProfileParams& puff, const inflat
 std::size_t pickedSlice(const BonedPuff& puff, const UiState& ui) {
   if (!puff) return 0;
   const std::vector<BoneHandle> handles = boneHandles(puff);
-  const bool chosen = ui.tool == ToolKind::Spine && ui.chosen.bone >= 0 &&
-                      ui.chosen.bone < static_cast<int>(handles.size());
+  const bool chosen =
+      ui.tool == ToolKind::Spine && ui.chosen.bone >= 0 && ui.chosen.bone < static_cast<int>(handles.size());
   if (chosen && handles[static_cast<std::size_t>(ui.chosen.bone)].hold == BoneHold::Slice)
     return handles[static_cast<std::size_t>(ui.chosen.bone)].edit;
   const auto& slices = puff.params->profile.slices;

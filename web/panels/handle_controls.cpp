@@ -1,5 +1,5 @@
-// Handles that a pointer drags in the views, for those who use none: points of an outline, the depth of a spine, the bones
-// of a puff.
+// Handles that a pointer drags in the views, for those who use none: points of an outline, the depth of a spine, the
+// bones of a puff.
 #include <imgui.h>
 
 #include <algorithm>
@@ -72,16 +72,17 @@ void depths(const PanelEnv& env) {
 }
 
 /// A handle that goes to places of the picture, in percent of its sides.
-void placeOfHandle(const PanelEnv& env, const app::BonedPuff& puff, const app::BoneHandle& handle, const std::string& id,
-                   int number) {
+void placeOfHandle(const PanelEnv& env, const app::BonedPuff& puff, const app::BoneHandle& handle,
+                   const std::string& id, int number) {
   const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(*puff.part));
   if (entry == nullptr) return;
   const bool slice = handle.hold == app::BoneHold::Slice;
   for (const bool across : {true, false}) {
     const double side = across ? entry->size.width : entry->size.height;
     const double share = 100 * (across ? handle.at.x : handle.at.y) / side;
-    const char* sentence = slice ? (across ? "Slice {n} of the puff: from the left" : "Slice {n} of the puff: from above")
-                              : (across ? "End {n} of the bones: from the left" : "End {n} of the bones: from above");
+    const char* sentence = slice
+                               ? (across ? "Slice {n} of the puff: from the left" : "Slice {n} of the puff: from above")
+                               : (across ? "End {n} of the bones: from the left" : "End {n} of the bones: from above");
     const PointControl what{id + (across ? "x" : "y"), words::tr(sentence, {{"n", number}}),
                             onCanvas(env.ui(), handle.at)};
     const auto asked = pointSlider(env, what, {0, 100, share, numberText("{n} %", share, 1)});
@@ -107,16 +108,15 @@ void bones(const PanelEnv& env) {
     if (handle.hold == app::BoneHold::Knob) {
       const double now = 100 * handle.factor;
       const PointControl what{id, words::tr("Thickness at knob {n} of the bones", {{"n", number}}), where};
-      const auto asked = pointSlider(env, what,
-                                     {100 * inflate::kLeastFactor, 100 * inflate::kMostFactor, now,
-                                      numberText("{n} %", now, 0)});
+      const auto asked = pointSlider(
+          env, what, {100 * inflate::kLeastFactor, 100 * inflate::kMostFactor, now, numberText("{n} %", now, 0)});
       if (asked) env.sink.run(app::setThickness, puff.part->id, handle, *asked / 100);
     } else if (handle.line.empty()) {
       placeOfHandle(env, puff, handle, id, number);
     } else {
       const bool gone = handle.hold == app::BoneHold::Gone;
-      const PointControl what{
-          id, words::tr(gone ? "Take bone {n} back" : "Leave bone {n} out", {{"n", number}}), where};
+      const PointControl what{id, words::tr(gone ? "Take bone {n} back" : "Leave bone {n} out", {{"n", number}}),
+                              where};
       if (pointButton(env, what)) env.sink.run(app::toggleBone, puff.part->id, static_cast<int>(i));
     }
   }

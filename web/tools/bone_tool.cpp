@@ -23,8 +23,7 @@ bool isLine(app::BoneHold hold) { return hold == app::BoneHold::Bone || hold == 
 
 void BoneTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
-  const app::Hover under =
-      view_ == app::Focus::Picture ? pickInPicture(env, event) : pickInSolid(env, event);
+  const app::Hover under = view_ == app::Focus::Picture ? pickInPicture(env, event) : pickInSolid(env, event);
   env.ui.hover = under;
   under_ = under.part;
   const auto handles = app::boneHandles(app::bonesInHand(env.document, env.derived, env.ui));

@@ -118,8 +118,8 @@ TEST_CASE("a slice at a place that the outline lacks sleeps; of two pieces each 
   const geometry::Contours pair{ellipse({100, 200}, 60, 60, 80), ellipse({300, 200}, 60, 60, 80)};
   const auto clean = geometry::cleanRegion(pair, 0, {400, 400});
   REQUIRE(clean.ok());
-  const Made discs = puffed(clean.value(), puffOf({{ready("round"), PicturePoint{100, 200}},
-                                                   {ready("roof"), PicturePoint{300, 200}}}));
+  const Made discs = puffed(
+      clean.value(), puffOf({{ready("round"), PicturePoint{100, 200}}, {ready("roof"), PicturePoint{300, 200}}}));
   CHECK(topNear(discs.mesh, 100, 230, 6) / 60 == doctest::Approx(0.866).epsilon(0.03));
   CHECK(topNear(discs.mesh, 300, 230, 6) / 60 < 0.6);
 }
@@ -143,7 +143,8 @@ TEST_CASE("slices that do not match are refused with what is wrong") {
                      {{-0.5, -0.8}, {0.5, -0.8}, {0.5, -0.5}, {-0.5, -0.5}}};
   CHECK(matchedCurves(std::vector<ProfileSlice>{{wide}, {narrow, there}}, InflateSides::Both).ok());
   InflateParams many = puffOf({});
-  for (std::size_t i = 0; i <= kMostSlices; ++i) many.profile.slices.push_back({ready("round"), PicturePoint{100, 200}});
+  for (std::size_t i = 0; i <= kMostSlices; ++i)
+    many.profile.slices.push_back({ready("round"), PicturePoint{100, 200}});
   CHECK_FALSE(isValid(many));
   many.profile.slices.resize(1);
   many.profile.slices[0].at = PicturePoint{std::nan(""), 0};
