@@ -11,7 +11,7 @@ import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs'
 /** Window of the tests: wide enough for the side panel. */
 export const kWindow = { width: 1100, height: 720 };
 /** One device pixel for four of the window: drawing is what costs. Tests that look at pixels are `kSharp`. */
-const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
+export const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
 export const kSharp = { deviceScaleFactor: 1 };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 export const kTablet = { viewport: { width: 1024, height: 768 }, hasTouch: true };
@@ -181,6 +181,15 @@ export async function reload(page) {
   await page.reload();
   await page.evaluate(() => window.spineloft.ready);
   await idle(page);
+}
+
+/** The same; returns the toast that the page greets with, which may be gone before a busy page is idle. */
+export async function reloadedToast(page, role = 'alert') {
+  await page.reload();
+  const text = await toastText(page, role);
+  await page.evaluate(() => window.spineloft.ready);
+  await idle(page);
+  return text;
 }
 
 /** Opens a picture through the API and waits for its edges. */
