@@ -3,7 +3,6 @@ import { boundScript } from './bound_script.ts';
 import { Cutter } from './cut_out/cutter.ts';
 import type { CutAnswer, CutEvent, CutWorker } from './cut_out/cutter.ts';
 import { waitForEnd } from './lifeline.ts';
-import type { WorkerLike } from './live_worker.ts';
 import { Solver } from './solids/solver.ts';
 import type { SolidWorker, SolveEvent } from './solids/solver.ts';
 
@@ -14,7 +13,7 @@ interface Asking {
 }
 
 /** A worker of the site, whose end is heard of. */
-function startWorker(which: 'solids' | 'cut_out'): WorkerLike<never, never> {
+function startWorker(which: 'solids' | 'cut_out'): Worker {
   const name = `spineloft-${which}-${Date.now()}-${Math.random()}`;
   const worker = new Worker(boundScript(SPINELOFT_SITE.workers[which]!), { type: 'module', name });
   worker.addEventListener('message', ({ data }) => {
@@ -25,14 +24,14 @@ function startWorker(which: 'solids' | 'cut_out'): WorkerLike<never, never> {
 
 export function solverOf(engine: Asking): Solver {
   return new Solver({
-    start: () => startWorker('solids') as SolidWorker,
+    start: () => startWorker('solids') as unknown as SolidWorker,
     answer: (json, bytes) => engine.solved(json, bytes),
   });
 }
 
 export function cutterOf(engine: Asking): Cutter {
   return new Cutter({
-    start: () => startWorker('cut_out') as CutWorker,
+    start: () => startWorker('cut_out') as unknown as CutWorker,
     answer: (answer) => engine.cutOutAnswered(answer),
   });
 }
