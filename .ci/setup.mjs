@@ -7,7 +7,7 @@ import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
 import { closePinnedSuite, installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
-import { buildDir, lock } from './lib/paths.mjs';
+import { buildDir, cacheDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
 import { headers, imguiSources, opencv, toolchainFile } from './lib/libraries.mjs';
 
@@ -40,7 +40,7 @@ function writeFacts(facts) {
 
 /** Where the libraries are, which are made if they are not there yet. */
 async function findFacts(parts) {
-  const facts = { DEPS_INCLUDE: await headers(), IMGUI_DIR: await imguiSources() };
+  const facts = { CACHE_DIR: cacheDir, DEPS_INCLUDE: await headers(), IMGUI_DIR: await imguiSources() };
   if (!parts.includes('wasm')) return facts;
   const emscripten = await findEmscripten();
   return {

@@ -10,6 +10,7 @@ import {
   idle,
   refusal,
   reload,
+  reloadedToast,
   run,
   state,
   toClient,
@@ -47,8 +48,7 @@ test('a reload brings back the model with undo and redo, and says so', () =>
     const before = await history(page),
       looks = (await state(page)).parts;
     await onceKept(page);
-    await reload(page);
-    assert.match(await toastText(page, 'status'), /Welcome back\. tube/);
+    assert.match(await reloadedToast(page, 'status'), /Welcome back\. tube/);
     assert.equal(await history(page), before);
     assert.deepEqual((await state(page)).parts, looks);
     await page.keyboard.press('Control+Shift+z');

@@ -1,7 +1,7 @@
 // Models are kept on the device by themselves: what is said and done where the storage fails.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { done, idle, reload, run, state, toastText, useSite } from './support/page.mjs';
+import { done, idle, reload, reloadedToast, run, state, toastText, useSite } from './support/page.mjs';
 import { asksBeforeLeaving, banner, drawPart, emptyDevice, history, inStore, models } from './support/keeping.mjs';
 
 const kit = useSite();
@@ -159,8 +159,7 @@ test('a damaged record is said, what came before it is there, and what comes aft
         store.put({ ...row, text: row.text.replace('square', 'sqvare') });
       };
     });
-    await reload(page);
-    assert.match(await toastText(page), /The last 2 steps of tube could not be read/);
+    assert.match(await reloadedToast(page), /The last 2 steps of tube could not be read/);
     assert.equal((await state(page)).parts[0].section, 'star');
     await done(page, 'set-caps', { both: 'flat', part: 1 });
     const now = await history(page);
@@ -175,8 +174,7 @@ test('a model whose base is damaged is said and stays in the list; the page work
       const all = store.getAll();
       all.onsuccess = () => store.put({ ...all.result[0], text: all.result[0].text.slice(1) });
     });
-    await reload(page);
-    assert.match(await toastText(page), /tube could not be brought back/);
+    assert.match(await reloadedToast(page), /tube could not be brought back/);
     assert.equal((await models(page)).length, 1);
     await drawPart(page);
     assert.equal((await models(page)).length, 2);

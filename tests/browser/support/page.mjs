@@ -183,6 +183,15 @@ export async function reload(page) {
   await idle(page);
 }
 
+/** The same; returns the toast that the page greets with, which may be gone before a busy page is idle. */
+export async function reloadedToast(page, role = 'alert') {
+  await page.reload();
+  const text = await toastText(page, role);
+  await page.evaluate(() => window.spineloft.ready);
+  await idle(page);
+  return text;
+}
+
 /** Opens a picture through the API and waits for its edges. */
 export async function openPicture(page, bytes, name = 'picture.png') {
   await page.evaluate(
