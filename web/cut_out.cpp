@@ -1,5 +1,5 @@
-// The search for cut-outs as a WebAssembly program of its own: a worker of the page (web/shell/cut_out) loads it when it is
-// needed, so that the engine comes without OpenCV.
+// The search for cut-outs as a WebAssembly program of its own: a worker of the page (web/shell/cut_out) loads it when
+// it is needed, so that the engine comes without OpenCV.
 #include "engine/vision/cut_out.h"
 
 #include <cstdint>

@@ -81,9 +81,6 @@ constexpr std::array kTexts = {
     ErrorText{Error::SolverUnreachable, "SolverUnreachable",
               "What puts parts together could not be loaded. Nothing is lost: check the connection and press \"Try "
               "again\"."},
-    ErrorText{Error::CutOutStopped, "CutOutStopped", "Cutting out was interrupted. Nothing is lost: try it again."},
-    ErrorText{Error::CutOutUnreachable, "CutOutUnreachable",
-              "What cuts things out could not be loaded. Nothing is lost: check the connection and try it again."},
     ErrorText{Error::FileUnreadable, "FileUnreadable", "The file cannot be read. Check its name and try again."},
     ErrorText{Error::FileUnwritable, "FileUnwritable",
               "The file cannot be written. Check the folder and the free space."},

@@ -59,9 +59,6 @@ enum class Error {
   SolidFailed,        ///< the solver refused it
   SolverStopped,      ///< the solver's worker died
   SolverUnreachable,  ///< the solver's worker could not be loaded
-  // cut-outs on the page
-  CutOutStopped,      ///< the worker that cuts out died
-  CutOutUnreachable,  ///< it could not be loaded
   // files and work
   FileUnreadable,   ///< cannot be opened or read
   FileUnwritable,   ///< cannot be written

@@ -6,6 +6,7 @@
 
 #include "engine/io/json_fields.h"
 #include "engine/vision/cut_out_numbers.h"
+#include "web/model/messages.h"
 
 namespace spineloft::app {
 
@@ -31,10 +32,11 @@ bool CutOutWork::take(const platform::CutAnswer& answer) {
       break;
     }
     case Stopped:
-      end(Error::CutOutStopped);
+      endUnfinished("Cutting out was interrupted. Nothing is lost: try it again.");
       break;
     case Unreachable:
-      end(Error::CutOutUnreachable);
+      endUnfinished(
+          "What cuts things out could not be loaded. Nothing is lost: check the connection and try it again.");
       break;
   }
   return true;
@@ -61,6 +63,12 @@ void CutOutWork::end(Result<CutShape> shape) {
   const Finish finish = std::move(asked_->finish);
   asked_.reset();
   finish(std::move(shape));
+}
+
+/// The search has no answer: that is said, and all is as before it.
+void CutOutWork::endUnfinished(std::string_view sentence) {
+  sendError(host_, sentence);
+  end(Error::Cancelled);
 }
 
 void CutOutWork::stop() {

@@ -1,10 +1,11 @@
-// Cut-outs: asks the program of the page that cuts out (vision::CutOutSearch in a worker, web/cut_out.cpp) for one thing at
-// a time.
+// Cut-outs: asks the program of the page that cuts out (vision::CutOutSearch in a worker, web/cut_out.cpp) for one
+// thing at a time.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "engine/base/worker_pool.h"
 #include "engine/image/image.h"
@@ -25,9 +26,9 @@ class CutOutWork {
     const image::Picture& picture;
     std::uint64_t contentHash = 0;
   };
-  /// Asks for a thing in a picture in place of what was asked for before. `finish` is called once, later, unless another
-  /// `begin` or `stop` comes first. Errors that it is given: those of vision::CutOutSearch, CutOutStopped and
-  /// CutOutUnreachable; Cancelled after `cancel`.
+  /// Asks for a thing in a picture in place of what was asked for before. `finish` is called once, later, unless
+  /// another `begin` or `stop` comes first. Errors that it is given: those of vision::CutOutSearch; Cancelled after
+  /// `cancel`, and where the program ends or cannot be loaded, which is said.
   void begin(const From& from, const vision::CutHints& hints, Finish finish);
   /// What the program says. True when something changed.
   bool take(const platform::CutAnswer& answer);
@@ -49,6 +50,7 @@ class CutOutWork {
   };
   void takeFound(Result<vision::CutContours> found);
   void end(Result<CutShape> shape);
+  void endUnfinished(std::string_view sentence);
 
   platform::Host& host_;
   WorkerPool& pool_;

@@ -71,9 +71,9 @@ export class LiveWorker<Request, Message extends { type: string }> {
   }
 
   private started(): WorkerLike<Request, Message> {
+    this.isLoaded = false;
     const worker = this.owner.start();
     this.wasStarted = true;
-    this.isLoaded = false;
     worker.onmessage = ({ data }) => {
       if (data.type === 'ready') this.isLoaded = true;
       else if (data.type !== 'alive') this.owner.take(data);

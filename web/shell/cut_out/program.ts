@@ -13,12 +13,18 @@ interface Program {
   _initialize?(): void;
 }
 
-/** What a program asks of a system that has no files, no clock and no settings; it is told that there are none. */
-const kNoSystem = 52;
+/** What WASI answers where something is not there. */
+const kNotThere = 52;
 
-function imports(program: WebAssembly.Module): WebAssembly.Imports {
+/** What the program asks of a system: a clock, which OpenCV reads when it starts. Files and settings are not there. */
+function system(program: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.Imports {
   const all: WebAssembly.Imports = {};
-  for (const { module, name } of WebAssembly.Module.imports(program)) (all[module] ??= {})[name] = () => kNoSystem;
+  for (const { module, name } of WebAssembly.Module.imports(program)) (all[module] ??= {})[name] = () => kNotThere;
+  const clock = (_which: number, _precision: bigint, at: number): number => {
+    new DataView(memory().buffer).setBigUint64(at, BigInt(Math.round(1e6 * performance.now())), true);
+    return 0;
+  };
+  Object.assign(all['wasi_snapshot_preview1'] ?? {}, { clock_time_get: clock });
   return all;
 }
 
@@ -28,7 +34,11 @@ export class CutOut {
   /** Starts the program in these bytes. */
   static async load(bytes: BufferSource): Promise<CutOut> {
     const module = await WebAssembly.compile(bytes),
-      program = (await WebAssembly.instantiate(module, imports(module))).exports as unknown as Program;
+      instance = await WebAssembly.instantiate(
+        module,
+        system(module, () => program.memory),
+      ),
+      program = instance.exports as unknown as Program;
     program._initialize?.();
     return new CutOut(program);
   }
