@@ -5,7 +5,10 @@ import { distDir } from './paths.mjs';
 import { Stop } from './run.mjs';
 import { serveFolder } from './server.mjs';
 
-/** What a Chromium of the tests is started with. */
+/**
+ * What a Chromium of the tests is started with. As on a machine without a graphics card, the page is put together by the
+ * processor, and only WebGL goes through SwiftShader: to draw the page with it as well takes seconds for each new page.
+ */
 export const browserFlags = [
   '--no-sandbox',
   '--disable-quic',
@@ -16,6 +19,7 @@ export const browserFlags = [
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
+  '--disable-gpu-compositing',
 ];
 
 /** Serves dist/ on a free port; options as serveFolder's (`isolated: false` for the single-thread build). */
@@ -39,6 +43,7 @@ export async function startBrowser() {
 /**
  * Opens `url` in a fresh context (`contextOptions` as Playwright's: viewport, hasTouch, deviceScaleFactor ...). `scripts` are
  * functions that run in its pages before theirs.
+ * From about:blank the origin is that of the first request.
  * `troubles` collects console errors, uncaught exceptions, failed requests and requests that leave the origin.
  */
 export async function openPage(browser, url, { scripts = [], ...contextOptions } = {}) {
@@ -48,7 +53,7 @@ export async function openPage(browser, url, { scripts = [], ...contextOptions }
   for (const script of scripts) await context.addInitScript(script);
   const page = await context.newPage();
   const troubles = [];
-  const origin = new URL(url).origin;
+  let origin = url === 'about:blank' ? null : new URL(url).origin;
   page.on('console', (message) => {
     if (message.type() === 'error') troubles.push(`console: ${message.text()} ${message.location().url}`);
   });
@@ -59,7 +64,9 @@ export async function openPage(browser, url, { scripts = [], ...contextOptions }
   });
   page.on('request', (request) => {
     const at = new URL(request.url());
-    if (/^(http|ws)s?:$/.test(at.protocol) && at.origin !== origin) troubles.push(`left the origin: ${request.url()}`);
+    if (!/^(http|ws)s?:$/.test(at.protocol)) return;
+    origin ??= at.origin;
+    if (at.origin !== origin) troubles.push(`left the origin: ${request.url()}`);
   });
   await page.goto(url, { waitUntil: 'load' });
   return { page, context, troubles, close: () => context.close() };

@@ -6,7 +6,19 @@ import { test } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { openPage } from '../../.ci/lib/browser.mjs';
-import { difference, done, exported, idle, kSharp, kWindow, onPage, pixels, state, useSite } from './support/page.mjs';
+import {
+  difference,
+  done,
+  exported,
+  idle,
+  kQuick,
+  kSharp,
+  kWindow,
+  onPage,
+  pixels,
+  state,
+  useSite,
+} from './support/page.mjs';
 import { loadWithThree } from './support/three.mjs';
 
 const kit = useSite();
@@ -28,7 +40,7 @@ const shown = (page) => page.locator('body[data-state=shown]').waitFor({ timeout
 
 /** Opens an address of the site in a page of its own, without the graphics' help, as whoever gets a link does. */
 async function visit(url, work, options = {}) {
-  const opened = await openPage(kit.browser, url, { viewport: kWindow, reducedMotion: 'reduce', ...options });
+  const opened = await openPage(kit.browser, url, { ...kQuick, reducedMotion: 'reduce', ...options });
   try {
     await work(opened.page, opened);
     assert.deepEqual(opened.troubles, []);
@@ -40,7 +52,7 @@ async function visit(url, work, options = {}) {
 /** A page of somebody else around the viewer, which notes what it is told. */
 async function visitEmbedded(address, work, options) {
   const site = kit.sites.false.url;
-  const opened = await openPage(kit.browser, `${site}view.html`, { viewport: kWindow, ...options });
+  const opened = await openPage(kit.browser, 'about:blank', { ...kQuick, ...options });
   try {
     const { page } = opened;
     page.setDefaultTimeout(kPatience);
@@ -53,7 +65,6 @@ async function visitEmbedded(address, work, options) {
         </script><iframe id="frame" width="640" height="480" src="${address}"></iframe>`,
       }),
     );
-    await page.waitForLoadState('networkidle'); // the icon comes after the page: leaving would cut it off
     await page.goto(`${site}host.html`);
     await work(page, page.frameLocator('#frame'));
     assert.deepEqual(opened.troubles, []);

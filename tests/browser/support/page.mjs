@@ -11,7 +11,7 @@ import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs'
 /** Window of the tests: wide enough for the side panel. */
 export const kWindow = { width: 1100, height: 720 };
 /** One device pixel for four of the window: drawing is what costs. Tests that look at pixels are `kSharp`. */
-const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
+export const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
 export const kSharp = { deviceScaleFactor: 1 };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 export const kTablet = { viewport: { width: 1024, height: 768 }, hasTouch: true };

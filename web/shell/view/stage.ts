@@ -5,7 +5,6 @@ import {
   LoadingManager,
   Mesh,
   PerspectiveCamera,
-  PMREMGenerator,
   Scene,
   Sphere,
   Spherical,
@@ -15,9 +14,9 @@ import {
 } from 'three';
 import type { Material, Object3D } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { Failure } from '../failure.ts';
+import { studioLight } from './light.ts';
 
 /** What is shown: of the whole scene, metres. */
 export interface Facts {
@@ -89,9 +88,7 @@ export class Stage {
     private readonly turned: (on: boolean) => void,
   ) {
     this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: true });
-    const light = new PMREMGenerator(this.renderer);
-    this.scene.environment = light.fromScene(new RoomEnvironment(), 0.04).texture;
-    light.dispose();
+    this.scene.environment = studioLight(this.renderer);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enablePan = false;
     this.controls.minPolarAngle = kSteepest;
@@ -218,6 +215,8 @@ export class Stage {
         this.controls.update(Math.min(0.1, (now - this.before) / 1000));
         this.before = now;
       }
+      // The light stays with the viewer, as in the page.
+      this.scene.environmentRotation.y = this.controls.getAzimuthalAngle();
       this.renderer.render(this.scene, this.camera);
       if (this.isTurning) this.draw();
     });
