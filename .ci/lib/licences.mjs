@@ -16,8 +16,12 @@ const kLibraries = [
   ['LLVM', /\/lib\/clang\/\d+\/include\//],
 ];
 
+/** The list of common headers that CMake writes: of the checkout that compiled it, for all that share the cache. */
+const kCommonHeaders = /\/headers-[0-9a-f]+\.h$/;
+
 /** The library of a file; null for the project's own. */
 export function libraryOf(path) {
+  if (kCommonHeaders.test(path)) return null;
   for (const [name, pattern] of kLibraries) {
     const found = pattern.exec(path);
     if (found) return { name, version: found[1] ?? null };
