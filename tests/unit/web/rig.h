@@ -32,7 +32,7 @@ class FakeHost final : public platform::Host {
     given.assign(meshes.begin(), meshes.end());
   }
   void cutOut(const platform::CutRequest& request) override {
-    search = Search{request.id, request.picture, vision::hintsFrom(request.hints)};
+    search = Search{request.id, request.picture, vision::hintsFrom(request.hints), {}};
     pictureKeys.emplace_back(request.pictureKey);
   }
   /// A round of the search that is asked for, as the program of the page does it, and what it says.
