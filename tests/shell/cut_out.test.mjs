@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { cutOutFile } from '../../.ci/lib/site.mjs';
+import { FakeWorker } from './support/fake_worker.mjs';
 import { load } from './support/load.mjs';
 
 const [{ CutOut }, { Cutter }, { cutEventAt }, { isCutOutLikely }] = await Promise.all(
@@ -97,17 +98,6 @@ test('another picture takes the place of the last one; where nothing is found an
   assert.ok(program.memory <= before + 2 ** 21, `${before} to ${program.memory} bytes`);
 });
 
-/** A worker that answers when it is told to. */
-class FakeWorker {
-  asked = [];
-  ended = false;
-  postMessage(message) {
-    this.asked.push(message);
-  }
-  terminate() {
-    this.ended = true;
-  }
-}
 function desk() {
   const workers = [],
     answers = [];

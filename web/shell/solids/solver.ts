@@ -97,7 +97,6 @@ export class Solver {
       case 'progress':
         this.host.answer(JSON.stringify({ id: message.id, progress: message.done }), null);
         break;
-      default: // it is alive
     }
   }
 }
