@@ -57,6 +57,7 @@ const kArrows = {
   'web/panels': ['web/commands'],
   'web/page': ['web/tools', 'web/panels', 'web/scene'],
   'web/self_crossing': ['engine/mesh'],
+  'web/cut_out': ['engine/vision'],
   'web/main': ['web/page'],
 };
 

@@ -16,8 +16,12 @@ const kLibraries = [
   ['LLVM', /\/lib\/clang\/\d+\/include\//],
 ];
 
+/** The list of common headers that CMake writes: of the checkout that compiled it, for all that share the cache. */
+const kCommonHeaders = /\/headers-[0-9a-f]+\.h$/;
+
 /** The library of a file; null for the project's own. */
 export function libraryOf(path) {
+  if (kCommonHeaders.test(path)) return null;
   for (const [name, pattern] of kLibraries) {
     const found = pattern.exec(path);
     if (found) return { name, version: found[1] ?? null };
@@ -34,7 +38,7 @@ function openCvModules() {
 /** Objects of the page's programs, as CMake puts them. */
 const kOfPage = /^(CMakeFiles\/spineloft_(engine|threads|no_threads)\.dir|web\/CMakeFiles)\//;
 
-/** The libraries that these programs of the page include and are linked with. */
+/** The libraries that these programs of the page (files that are linked) include and are linked with. */
 function linkedLibraries(programs) {
   const folder = presetDir('wasm-release');
   const paths = new Set();
@@ -44,7 +48,7 @@ function linkedLibraries(programs) {
     else if (isOfPage) paths.add(line.trim());
   }
   for (const program of programs) {
-    const inputs = output('ninja', ['-C', folder, '-t', 'query', `web/${program}.js`]) ?? '';
+    const inputs = output('ninja', ['-C', folder, '-t', 'query', `web/${program}`]) ?? '';
     for (const [, path] of inputs.matchAll(/^ +\|? ?(\/\S+)$/gm)) paths.add(path);
   }
   if (paths.size === 0) throw new Stop('What the page is linked with is not known: ninja told nothing.');

@@ -66,6 +66,7 @@ export const enginePrograms = { threads: 'spineloft_web', single: 'spineloft_web
 /** What CMake builds for a site with these engines. */
 export const siteTargets = (engines = Object.keys(enginePrograms)) => [
   'spineloft_self_crossing',
+  'spineloft_cut_out',
   ...engines.map((engine) => enginePrograms[engine]),
 ];
 
@@ -149,6 +150,8 @@ const sheetsThatFollow = {
 
 /** The engine's test for meshes that go through themselves, which the worker of solids loads. */
 export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
+/** What the worker that cuts out loads. */
+export const cutOutFile = join(presetDir('wasm-release'), 'web/spineloft_cut_out.wasm');
 
 /** Bundles the entry points; the files that were read are added to `read`. */
 async function bundle(folder, read, entryPoints, define, place = { outdir: 'assets', entryNames: '[name]-[hash]' }) {
@@ -178,7 +181,7 @@ async function bundle(folder, read, entryPoints, define, place = { outdir: 'asse
         '.glsl': 'text',
       },
       define: { 'process.env.NODE_ENV': '"production"', ...define },
-      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
+      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile, 'spineloft/cut_out.wasm': cutOutFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
       plugins: [smallFonts, sheetsThatFollow],
@@ -347,10 +350,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     const define = { SPINELOFT_FILES: JSON.stringify(files) };
     await bundle(fresh, read, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
   }
-  checkLicences(
-    engines.map((engine) => enginePrograms[engine]),
-    read,
-  );
+  checkLicences(['spineloft_cut_out.wasm', ...engines.map((engine) => `${enginePrograms[engine]}.js`)], read);
   if (twins) await compress(fresh);
   if (keep && existsSync(distDir)) cpSync(distDir, fresh, { recursive: true, force: false });
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);

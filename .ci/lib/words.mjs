@@ -22,7 +22,7 @@ const kEngineFiles = [
 /** The pages themselves. */
 const kPages = ['web/shell/index.html', 'web/shell/view/view.html'];
 const kNotShown =
-  /^web\/(gl|platform|scene|main\.cpp|self_crossing\.cpp|shell\/(solids|offline\/(service_worker|protocol)|solids\.worker|site\.d|api|icons|words\/))/;
+  /^web\/(gl|platform|scene|main\.cpp|self_crossing\.cpp|cut_out\.cpp|shell\/(solids|cut_out|offline\/(service_worker|protocol)|solids\.worker|site\.d|api|icons|words\/))/;
 
 function filesUnder(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {

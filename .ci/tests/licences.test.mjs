@@ -38,6 +38,7 @@ test('every licence that is named has its text, and every text is the licence of
 
 test('files are known by where they are: the own ones, those of the set-up, npm packages, and any other by its path', () => {
   assert.equal(libraryOf(join(root, 'engine/base/result.h')), null);
+  assert.equal(libraryOf('/another/checkout/build/wasm-release/headers-0e3a5b3df990.h'), null);
   assert.deepEqual(libraryOf('/x/opencv-4.10.0-wasm-12/lib/libopencv.a'), { name: 'OpenCV', version: '4.10.0' });
   assert.deepEqual(libraryOf('/usr/include/zlib.h'), { name: '/usr/include/zlib.h', version: null });
   const [idb, inter] = packagesOf(['node_modules/idb/build/index.js', 'node_modules/@expo-google-fonts/inter/a.ttf']);

@@ -3,7 +3,18 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { drawWithFinger, drawWithMouse, press } from './support/hands.mjs';
-import { done, exported, idle, onPage, openPicture, run, state, toClient, useSite } from './support/page.mjs';
+import {
+  done,
+  exported,
+  idle,
+  onPage,
+  openPicture,
+  run,
+  state,
+  toastText,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
@@ -103,4 +114,24 @@ test('on paper a tap in a line drawn by a pen cuts out what it encloses, with it
     await run(page, 'cut-use');
     const { parts } = await state(page);
     assert.deepEqual([parts.length, parts[0].kind, parts[0].failure], [1, 'puff', null]);
+  }));
+
+test('the program that cuts out comes with the first tool that needs it; where it cannot be loaded that is said, and trying again is enough', () =>
+  onPage(kit, { alone: true }, async (page, { context, troubles }) => {
+    const asked = [];
+    page.context().on('request', (request) => /cut_out/.test(request.url()) && asked.push(request.url()));
+    await context.route(/cut_out.*\.wasm/, (route) => route.abort());
+    await openPicture(page, tube.png, 'tube.png');
+    await done(page, 'draw-spine', { stroke: tube.middle });
+    assert.deepEqual(asked, [], 'a line needs no cut-out');
+    await run(page, 'puff');
+    await done(page, 'cut-start', { at: tube.middle[30] });
+    assert.match(await toastText(page), /could not be loaded\. Nothing is lost: check the connection/);
+    assert.equal((await state(page)).cut, null);
+    await context.unroute(/cut_out.*\.wasm/);
+    await done(page, 'cut-start', { at: tube.middle[30] });
+    assert.ok(areaOf((await state(page)).cut.contours) > 1000);
+    const { engine, cutter } = await page.evaluate(() => window.spineloft.memory());
+    assert.ok(cutter > 0 && cutter < engine, `${cutter} of ${engine} bytes`);
+    troubles.splice(0);
   }));

@@ -212,6 +212,7 @@ for (const locks of [true, false]) {
     onEmptyDevice(
       async (page) => {
         await drawPart(page);
+        await onceKept(page);
         const before = await history(page);
         const other = await secondTab(page);
         await other.bringToFront();
@@ -224,6 +225,7 @@ for (const locks of [true, false]) {
         await idle(other);
         assert.equal(await history(other), before);
         await done(other, 'set-section', { section: 'star', part: 1 });
+        await onceKept(other);
 
         await page.bringToFront();
         await banner(page).waitFor();
@@ -236,6 +238,7 @@ for (const locks of [true, false]) {
         await idle(page);
         assert.equal(await banner(page).count(), 0);
         await done(page, 'set-section', { section: 'hexagon', part: 1 });
+        await onceKept(page);
 
         await reload(other);
         assert.equal((await state(other)).parts[0].section, 'star');

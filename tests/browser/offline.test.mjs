@@ -86,7 +86,7 @@ const look = (page) =>
       });
   });
 
-test('after one visit the page opens without a network: a sample becomes a part, and two parts one solid', async (t) => {
+test('after one visit the page opens without a network: a sample becomes a part, two parts one solid, and a thing is cut out', async (t) => {
   const site = await ownSite(t);
   const { page } = await visit(t, site);
   await site.close();
@@ -108,6 +108,9 @@ test('after one visit the page opens without a network: a sample becomes a part,
   const { steps, threads } = await state(page);
   assert.equal(steps.at(-1).status, 'ready');
   assert.equal(threads > 0, kEngines[0].isolated, 'the headers that threads need are stored too');
+  await done(page, 'cut-out', { at: lemur.spine[4], as: 'sheet' });
+  const { parts } = await state(page);
+  assert.deepEqual([parts.at(-1).kind, parts.at(-1).failure], ['sheet', null]);
 });
 
 test('after one visit every language is there without a network', async (t) => {

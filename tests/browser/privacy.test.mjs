@@ -111,10 +111,12 @@ for (const isolated of [true, false]) {
     await run(page, 'new-part');
     await done(page, 'draw-spine', { stroke: tube.middle.map(([x, y]) => [y + 60, x - 60]) });
     await done(page, 'stick-together');
+    await done(page, 'cut-start', { at: tube.middle[30] });
     const started = await page.evaluate(() => globalThis.started_);
     const threads = started.filter(([, { name }]) => name === 'em-pthread').length;
     assert.equal(threads > 0, isolated);
-    assert.ok(started.length > threads, 'the solver of solids is among them');
+    const others = started.map(([, { name }]) => /^spineloft-(\w+)-/.exec(name)?.[1]).filter(Boolean);
+    assert.deepEqual(others.sort(), ['cut_out', 'solids']);
     // A thread of the engine sleeps and cannot be asked: another worker from the same script has the same policy.
     for (const [address, options] of new Map(started.map((one) => [one[1].name, one])).values()) {
       const [worker] = await Promise.all([

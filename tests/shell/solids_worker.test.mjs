@@ -2,20 +2,10 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { shell } from '../browser/support/solids.mjs';
+import { FakeWorker } from './support/fake_worker.mjs';
 
 const { Solver, isSolidLikely, meshesAt } = shell;
 
-/** A worker that answers when it is told to. */
-class FakeWorker {
-  asked = [];
-  ended = false;
-  postMessage(message) {
-    this.asked.push(message);
-  }
-  terminate() {
-    this.ended = true;
-  }
-}
 const memory = (workers, answers) => ({
   start: () => {
     workers.push(new FakeWorker());

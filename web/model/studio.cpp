@@ -5,7 +5,11 @@
 namespace spineloft::app {
 
 Studio::Studio(platform::Host& host, int threads)
-    : session_(host), derivation_(session_, host, pool_), saver_(session_, derivation_, host, pool_), pool_(threads) {}
+    : session_(host),
+      derivation_(session_, host, pool_),
+      saver_(session_, derivation_, host, pool_),
+      cutOut_(host, pool_),
+      pool_(threads) {}
 
 Status Studio::changed(Status status) {
   if (status) derivation_.documentChanged();
@@ -40,77 +44,19 @@ std::optional<Studio::Activity> Studio::activity() const {
   if (const auto activity = pool_.activity(); activity && !activity->label.empty()) {
     return Activity{activity->label, activity->progress.done()};
   }
+  if (cutOut_.busy()) return Activity{"Cutting it out", cutOut_.done()};
   const SolidWork& solids = derivation_.solids();
   if (solids.busy()) return Activity{"Putting the parts together", solids.done()};
   return std::nullopt;
 }
 
-/// A cut-out on its way.
-struct Studio::CutSearch {
-  std::shared_ptr<const image::Picture> picture;
-  vision::CutHints hints;
-  std::function<void(Result<CutShape>)> done;
-  std::optional<vision::CutOutSearch> rounds;
-  Result<CutShape> found = Error::NothingCutOut;
-  Progress progress;  ///< of the round that runs
-
-  /// On a worker. False when it was the last round.
-  bool step(const Progress& now) {
-    if (!rounds) {
-      Result<vision::CutOutSearch> begun = vision::CutOutSearch::begin(*picture, hints);
-      if (!begun) {
-        found = begun.failure();
-        return false;
-      }
-      rounds.emplace(std::move(begun).value());
-    }
-    const bool more = rounds->step();
-    if (!now.advance(rounds->done())) {
-      found = Error::Cancelled;
-      return false;
-    }
-    if (more) return true;
-    Result<vision::CutContours> contours = rounds->outlines();
-    if (contours) {
-      found = filledShape(std::move(contours).value(), {picture->width, picture->height});
-    } else {
-      found = contours.failure();
-    }
-    return false;
-  }
-};
-
-Status Studio::cutOut(PictureId id, const vision::CutHints& hints, std::function<void(Result<CutShape>)> done) {
+Status Studio::cutOut(PictureId id, const vision::CutHints& hints, CutOutWork::Finish done) {
   const document::PictureEntry* entry = document::findPicture(document(), id);
   if (entry == nullptr) return Error::NoSuchPicture;
   const Result<std::shared_ptr<const image::Picture>> pixels = derivation_.pixels(*entry);
   if (!pixels) return pixels.failure();
-  stopCutOut();
-  cutSearch_ = std::make_shared<CutSearch>();
-  cutSearch_->picture = pixels.value();
-  cutSearch_->hints = hints;
-  cutSearch_->done = std::move(done);
-  nextCutRound(cutSearch_);
+  cutOut_.begin({*pixels.value(), entry->contentHash}, hints, std::move(done));
   return Done{};
-}
-
-void Studio::nextCutRound(const std::shared_ptr<CutSearch>& search) {
-  search->progress = pool_.submit(
-      "Cutting it out", [search](const Progress& progress) { return search->step(progress); },
-      [this, search](bool more) {
-        if (search != cutSearch_) return;  // another one has begun, or nobody waits any more
-        if (more) {
-          nextCutRound(search);
-          return;
-        }
-        cutSearch_.reset();
-        search->done(std::move(search->found));
-      });
-}
-
-void Studio::stopCutOut() {
-  if (cutSearch_) cutSearch_->progress.cancel();
-  cutSearch_.reset();
 }
 
 bool Studio::pump() {
@@ -121,6 +67,7 @@ bool Studio::pump() {
 
 void Studio::cancelWork() {
   pool_.cancelAll();
+  cutOut_.cancel();
   saver_.cancel();
   derivation_.cancel();
 }

@@ -17,7 +17,7 @@
 #include "engine/document/history.h"
 #include "engine/pipeline/derive.h"
 #include "engine/publish/publish.h"
-#include "web/model/cut_draft.h"
+#include "web/model/cut_out_work.h"
 #include "web/model/derivation.h"
 #include "web/model/saver.h"
 #include "web/model/session.h"
@@ -90,16 +90,17 @@ class Studio {
   Result<publish::SharedModel> shareNow() { return saver_.shareNow(); }
   bool unsaved() const { return saver_.unsaved(); }
 
-  /// Looks for a thing in a picture (vision::CutOutSearch) on a worker, a round a job, so that without
-  /// threads the page is drawn in between. `done` is called once, unless another search or stopCutOut
+  /// Has a thing cut out of a picture; see cut_out_work.h. `done` is called once, unless another search or stopCutOut
   /// comes first; with Cancelled after cancelWork. Errors: NoSuchPicture, those of the pixels.
-  Status cutOut(PictureId picture, const vision::CutHints& hints, std::function<void(Result<CutShape>)> done);
-  void stopCutOut();
+  Status cutOut(PictureId picture, const vision::CutHints& hints, CutOutWork::Finish done);
+  void stopCutOut() { cutOut_.stop(); }
+  /// What the program that cuts out says. True when something changed.
+  bool takeCutOut(const platform::CutAnswer& answer) { return cutOut_.take(answer); }
 
   /// Takes in what the workers finished. True when something changed.
   bool pump();
-  bool busy() const { return works() || derivation_.solids().busy(); }
-  /// Threads of its own are at something; the solver of solids speaks up by itself.
+  bool busy() const { return works() || cutOut_.busy() || derivation_.solids().busy(); }
+  /// Threads of its own are at something; what works elsewhere speaks up by itself.
   bool works() const { return !pool_.idle(); }
   int threads() const { return pool_.threads(); }
   /// What is going on, for a progress bar; not what takes a moment only.
@@ -111,16 +112,14 @@ class Studio {
   void cancelWork();
 
  private:
-  struct CutSearch;
-  void nextCutRound(const std::shared_ptr<CutSearch>& search);
   /// The document is another one, if that went well.
   Status changed(Status status);
 
   Session session_;
   Derivation derivation_;
   Saver saver_;
-  std::shared_ptr<CutSearch> cutSearch_;  ///< the one whose end is waited for
-  WorkerPool pool_;                       ///< last: its jobs end before the rest goes
+  CutOutWork cutOut_;
+  WorkerPool pool_;  ///< last: its jobs end before the rest goes
 };
 
 }  // namespace spineloft::app

@@ -534,6 +534,16 @@ void App::solved(std::string_view answerJson, std::span<const std::uint8_t> byte
   touch(2);
 }
 
+void App::cutOutAnswered(const platform::CutAnswer& answer) {
+  if (!studio_.takeCutOut(answer)) return;
+  wakePending_ = false;  // what was waited for elsewhere may be work here now
+  settle();
+  studio_.derived();
+  watchWork();
+  announce();
+  touch(2);
+}
+
 /// The check for printing that was asked for before all was made.
 void App::reportWaitingPrint() {
   if (!ui_.printWaits) return;

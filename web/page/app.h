@@ -64,6 +64,7 @@ class App final : public platform::Page, Hand {
   void showControl(std::uint32_t id) override;
   void cancelWork() override;
   void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) override;
+  void cutOutAnswered(const platform::CutAnswer& answer) override;
   void finishParts() override { studio_.finishParts(); }
   const std::string& history() override;
   const std::string& photos() override;

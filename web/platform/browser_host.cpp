@@ -20,6 +20,12 @@ EM_JS(void, splSolve, (const char* json, const void* meshes), {
   if (host) host.onSolve(UTF8ToString(json), meshes);
 });
 
+EM_JS(void, splCutOut, (unsigned id, const double* hints, int count, const char* key, const unsigned char* rgba,
+                         const int* sizes), {
+  const host = Module['host'];
+  if (host) host.onCutOut(id, hints, count, UTF8ToString(key), rgba, sizes);
+});
+
 EM_JS_DEPS(spl_words, "$stringToNewUTF8");
 EM_JS(char*, splTranslated, (const char* english, const char* args), {
   return stringToNewUTF8(Module['host'].translated(UTF8ToString(english), UTF8ToString(args)));
@@ -148,6 +154,14 @@ void BrowserHost::solve(std::string_view json, std::span<const SolverMesh> meshe
   // The shell reads five numbers a mesh (web/shell/engine.ts).
   static_assert(sizeof(SolverMesh) == 5 * sizeof(std::uint32_t));
   splSolve(std::string(json).c_str(), meshes.data());
+}
+
+void BrowserHost::cutOut(const CutRequest& request) {
+  const image::Picture& picture = request.picture;
+  // The shell reads four numbers (web/shell/engine_workers.ts).
+  const int sizes[] = {picture.working.width, picture.working.height, picture.width, picture.height};
+  splCutOut(request.id, request.hints.data(), static_cast<int>(request.hints.size()),
+            std::string(request.pictureKey).c_str(), picture.working.pixels.data(), sizes);
 }
 
 void BrowserHost::sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) {

@@ -16,6 +16,7 @@ class BrowserHost final : public Host {
   void wakeAfter(double milliseconds) override;
   void send(std::string_view json) override;
   void solve(std::string_view json, std::span<const SolverMesh> meshes) override;
+  void cutOut(const CutRequest& request) override;
   void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) override;
   bool reducedMotion() const override;
 

@@ -177,6 +177,11 @@ EMSCRIPTEN_KEEPALIVE void spl_solved(const char* answer, const std::uint8_t* byt
   if (page() == nullptr) return;
   page()->solved(text(answer), {bytes, bytes == nullptr ? 0 : length});
 }
+EMSCRIPTEN_KEEPALIVE void spl_cutOutAnswered(std::uint32_t id, int kind, double done, const double* found,
+                                             std::uint32_t count) {
+  if (page() == nullptr || kind < 0 || kind > static_cast<int>(CutAnswer::Kind::Unreachable)) return;
+  page()->cutOutAnswered({id, static_cast<CutAnswer::Kind>(kind), done, {found, found == nullptr ? 0 : count}});
+}
 EMSCRIPTEN_KEEPALIVE void spl_finishParts() {
   if (page() != nullptr) page()->finishParts();
 }

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "engine/image/image.h"
+
 namespace spineloft::platform {
 
 /// A mesh that the solver of solids is given: the engine's own arrays, which the shell copies at once.
@@ -14,6 +16,14 @@ struct SolverMesh {
   const float* positions = nullptr;        ///< three a vertex
   const float* uv = nullptr;               ///< two a vertex; null: it has none
   const std::uint32_t* corners = nullptr;  ///< three a triangle
+};
+
+/// What is to be cut out of which picture: the engine's own, which the shell copies at once.
+struct CutRequest {
+  std::uint32_t id = 0;           ///< not 0
+  std::span<const double> hints;  ///< vision::numbersOf
+  std::string_view pictureKey;    ///< equal keys, equal pictures
+  const image::Picture& picture;
 };
 
 class Host {
@@ -30,6 +40,8 @@ class Host {
   virtual void send(std::string_view json) = 0;
   /// Asks the solver of solids: {type: 'solve', id, meshes, nodes, wanted} with the meshes behind the keys in its list.
   virtual void solve(std::string_view json, std::span<const SolverMesh> meshes) = 0;
+  /// Asks for a cut-out in place of the one that was asked for before; Page::cutOutAnswered answers, never from within.
+  virtual void cutOut(const CutRequest& request) = 0;
   /// Hands a finished file to the shell, which copies the bytes at once and offers them as
   /// download.
   virtual void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) = 0;

@@ -54,6 +54,20 @@ struct FontFiles {
   std::vector<std::uint8_t> scriptText = {}, scriptBold = {};
 };
 
+/// What is known of the last CutRequest.
+struct CutAnswer {
+  enum class Kind : std::uint8_t {
+    Progress,
+    Found,        ///< the search has ended
+    Stopped,      ///< its program has ended before it
+    Unreachable,  ///< its program could not be loaded
+  };
+  std::uint32_t id = 0;  ///< of the request
+  Kind kind = Kind::Progress;
+  double done = 0;                ///< of Progress: 0…1
+  std::span<const double> found;  ///< of Found: vision::numbersOf
+};
+
 class Page {
  public:
   virtual ~Page() = default;
@@ -97,6 +111,7 @@ class Page {
   /// What the solver of solids says about the last {type: 'solve'}: JSON, and the arrays of a mesh (see
   /// web/model/solid_work.h).
   virtual void solved(std::string_view answerJson, std::span<const std::uint8_t> bytes) = 0;
+  virtual void cutOutAnswered(const CutAnswer& answer) = 0;
   /// A file is wanted: the solver mends what goes through itself; `idle` when it has.
   virtual void finishParts() = 0;
 

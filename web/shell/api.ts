@@ -453,8 +453,8 @@ export interface SpineLoftApi {
   models(): Promise<KeptModelInfo[]>;
   /** The open model with every step of undo and redo, as the text that the page keeps; photos are named by their hashes. */
   history(): string;
-  /** Bytes that the memory of the engine and that of the solver of solids have grown to; they never shrink. */
-  memory(): { engine: number; solver: number };
+  /** Bytes that the memories of the engine, of the solver of solids and of what cuts things out have grown to; they never shrink. */
+  memory(): { engine: number; solver: number; cutter: number };
   /** Where a picture pixel is on the page now, in client CSS pixels. */
   imageToClient(x: number, y: number): { x: number; y: number };
   /** What is on the page now. */

@@ -3,15 +3,15 @@
 import type { Command, ExportFormat, State } from './api.ts';
 import { boundScript } from './bound_script.ts';
 import { Failure } from './failure.ts';
+import type { CutAnswer, Cutter } from './cut_out/cutter.ts';
 import type { EngineEvent, RawEvent } from './engine_events.ts';
+import { cutEventAt, cutterOf, meshesAt, solverOf } from './engine_workers.ts';
 import type { Fonts, Script } from './fonts.ts';
 import type { About } from './keep/journal_writer.ts';
 import type { RawPhoto } from './keep/pack.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Probe, WorkingCopy } from './picture.ts';
-import { waitForEnd } from './solids/lifeline.ts';
-import { Solver } from './solids/solver.ts';
-import type { SolidWorker, SolveEvent } from './solids/solver.ts';
+import type { SolveEvent, Solver } from './solids/solver.ts';
 import { forCanvas } from './words/words.ts';
 import type { Language } from './words/words.ts';
 
@@ -99,6 +99,7 @@ interface Module {
   _spl_finishParts(): void;
   _spl_cancelWork(): void;
   _spl_solved(answer: number, bytes: number, length: number): void;
+  _spl_cutOutAnswered(id: number, kind: number, done: number, found: number, count: number): void;
   _spl_history(): number;
   _spl_photos(): number;
   _spl_photo(hash: number, outSizes: number): number;
@@ -159,6 +160,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   const queue: EngineEvent[] = [];
   let module: Module | null = null;
   let solver: Solver | null = null;
+  let cutter: Cutter | null = null;
   let view: ShellView | null = null;
   const deliver = () => {
     for (let event = queue.shift(); event; event = queue.shift()) onEvent(event);
@@ -176,6 +178,10 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
         solver?.stop();
         return;
       }
+      if (raw.type === 'stopCuttingOut') {
+        cutter?.stop();
+        return;
+      }
       if (raw.type === 'expectEdit') {
         solver?.expect(raw.part);
         return;
@@ -189,6 +195,10 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
       const { meshes: keys, ...rest } = JSON.parse(json) as SolveRequestText;
       if (module) solver?.ask({ ...rest, meshes: meshesAt(module.wasmMemory.buffer, meshes, keys) });
     },
+    /** Likewise. */
+    onCutOut(id: number, hints: number, count: number, key: string, rgba: number, sizes: number) {
+      if (module) cutter?.ask(cutEventAt(module.wasmMemory.buffer, id, key, { hints, count, rgba, sizes }));
+    },
   };
   // For pictures of the page on a machine without a graphics card: full resolution, however slow.
   const sharp = new URLSearchParams(location.search).has('sharp');
@@ -201,47 +211,12 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
   });
   const engine = new Engine(module, () => view);
   solver = engine.solver = solverOf(engine);
+  cutter = engine.cutter = cutterOf(engine);
   return engine;
 }
 
 /** What the engine asks of the solver of solids, with the keys of its meshes. */
 type SolveRequestText = Omit<SolveEvent, 'meshes'> & { meshes: string[] };
-
-/** The engine's arrays of these meshes: platform::SolverMesh of web/platform/host.h, five numbers each. */
-export function meshesAt(memory: ArrayBufferLike, at: number, keys: string[]): SolveEvent['meshes'] {
-  const table = new Uint32Array(memory, at, 5 * keys.length);
-  return keys.map((key, i) => {
-    const [vertices, triangles, positions, uv, corners] = [...table.subarray(5 * i, 5 * i + 5)] as [
-      number,
-      number,
-      number,
-      number,
-      number,
-    ];
-    return {
-      key,
-      mesh: {
-        positions: new Float32Array(memory, positions, 3 * vertices),
-        uv: new Float32Array(memory, uv, uv === 0 ? 0 : 2 * vertices),
-        triangles: new Uint32Array(memory, corners, 3 * triangles),
-      },
-    };
-  });
-}
-
-function solverOf(engine: Engine): Solver {
-  return new Solver({
-    start: () => {
-      const name = `spineloft-solids-${Date.now()}-${Math.random()}`;
-      const worker = new Worker(boundScript(SPINELOFT_SITE.workers['solids']!), { type: 'module', name });
-      worker.addEventListener('message', ({ data }) => {
-        if (data.type === 'alive') waitForEnd(name, () => worker.onerror?.(new ErrorEvent('error')));
-      });
-      return worker as unknown as SolidWorker;
-    },
-    answer: (json, bytes) => engine.solved(json, bytes),
-  });
-}
 
 function withBytes(raw: Extract<RawEvent, { type: 'file' }>, module: Module): EngineEvent {
   const bytes = new Uint8Array(module.wasmMemory.buffer).slice(raw.ptr, raw.ptr + raw.length);
@@ -254,6 +229,8 @@ export class Engine {
   private readonly decoder = new TextDecoder();
   /** The solver of solids, once there is one. */
   solver: Solver | null = null;
+  /** What cuts out, likewise. */
+  cutter: Cutter | null = null;
 
   constructor(
     private readonly module: Module,
@@ -460,9 +437,24 @@ export class Engine {
     }
   }
 
-  /** Bytes that the engine's memory and the solver's have grown to. */
-  memory(): { engine: number; solver: number } {
-    return { engine: this.module.wasmMemory.buffer.byteLength, solver: this.solver?.memory ?? 0 };
+  /** What the worker that cuts out says. */
+  cutOutAnswered({ id, kind, done, found }: CutAnswer): void {
+    const bytes = found ? new Uint8Array(found.buffer, found.byteOffset, found.byteLength) : null,
+      at = bytes ? this.put(bytes) : 0;
+    try {
+      this.module._spl_cutOutAnswered(id, kind, done, at, found?.length ?? 0);
+    } finally {
+      if (at !== 0) this.module._free(at);
+    }
+  }
+
+  /** Bytes that the memories of the engine, of the solver and of what cuts out have grown to. */
+  memory(): { engine: number; solver: number; cutter: number } {
+    return {
+      engine: this.module.wasmMemory.buffer.byteLength,
+      solver: this.solver?.memory ?? 0,
+      cutter: this.cutter?.memory ?? 0,
+    };
   }
 
   /** The whole history as text: a base of the journal. */

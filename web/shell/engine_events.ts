@@ -30,6 +30,7 @@ export type EngineEvent =
   /** A dialog of the shell. */
   | { type: 'show'; dialog: 'help' | 'find-command' }
   | { type: 'stopSolving' }
+  | { type: 'stopCuttingOut' }
   /** The part of a solid that is chosen, and so the likely one to be edited next. */
   | { type: 'expectEdit'; part: number | null }
   | TurntableEvent

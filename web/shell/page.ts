@@ -35,7 +35,7 @@ import { toast } from './toasts.ts';
 import type { ToastAction } from './toasts.ts';
 import { gifOf, pngOf, stillOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
-import { isSolidLikely, startSolver } from './warm_up.ts';
+import { isCutOutLikely, isSolidLikely, startCutter, startSolver } from './warm_up.ts';
 import { keepLanguage, language, onLanguage, speak, t } from './words/words.ts';
 
 export class Page {
@@ -519,6 +519,7 @@ export class Page {
   refresh(view = this.engine?.view): void {
     if (!this.engine || !view) return;
     if (!this.readOnly && isSolidLikely(this.view, view)) startSolver(this.engine);
+    if (!this.readOnly && isCutOutLikely(this.view, view)) startCutter(this.engine);
     this.view = view;
     if (this.passing !== null && this.passing !== placeOf(view)) this.say('');
     const hasPicture = view.picture !== null;

@@ -167,7 +167,7 @@ export function installApi(api: ApiPage): void {
       const unit = canvasUnit();
       return { x: at.x * unit + box.left, y: at.y * unit + box.top };
     },
-    memory: () => api.engine()?.memory() ?? { engine: 0, solver: 0 },
+    memory: () => api.engine()?.memory() ?? { engine: 0, solver: 0, cutter: 0 },
     history: () => api.engine()?.history() ?? '',
     state: () => api.engine()?.state() ?? structuredClone(kBeforeReady),
     commands: (): Command[] => api.engine()?.commands() ?? [],

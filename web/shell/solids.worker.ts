@@ -3,11 +3,12 @@
 import create from 'manifold-3d';
 import manifoldFile from 'manifold-3d/manifold.wasm';
 import selfCrossingFile from 'spineloft/self_crossing.wasm';
-import { hold } from './solids/lifeline.ts';
+import { hold } from './lifeline.ts';
 import { SolidKernel } from './solids/kernel.ts';
 import type { Solved } from './solids/kernel.ts';
 import type { ExpectRequest, SolveRequest, WorkerMessage } from './solids/protocol.ts';
 import { loadSelfCrossing } from './solids/self_crossing.ts';
+import { breathe, bytesOf, rethrow } from './worker_side.ts';
 
 const scope = globalThis as unknown as {
   name: string;
@@ -17,22 +18,11 @@ const scope = globalThis as unknown as {
 
 let memory: WebAssembly.Memory | null = null;
 
-/** Ends the worker for the page, which starts another one. */
-function rethrow(problem: unknown): void {
-  setTimeout(() => {
-    throw problem;
-  });
-}
-
-async function bytesOf(file: string): Promise<ArrayBuffer> {
-  return (await fetch(new URL(file, import.meta.url))).arrayBuffer();
-}
-
 type Started = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;
 
 /** Loads the library as it would itself, and keeps hold of its memory. */
 async function instantiate(imports: WebAssembly.Imports, done: Started): Promise<void> {
-  const { instance, module } = await WebAssembly.instantiate(await bytesOf(manifoldFile), imports);
+  const { instance, module } = await WebAssembly.instantiate(await bytesOf(manifoldFile, import.meta.url), imports);
   memory = Object.values(instance.exports).find((each) => each instanceof WebAssembly.Memory) ?? null;
   done(instance, module);
 }
@@ -50,7 +40,7 @@ async function start(): Promise<SolidKernel> {
         return {};
       },
     }),
-    bytesOf(selfCrossingFile).then(loadSelfCrossing),
+    bytesOf(selfCrossingFile, import.meta.url).then(loadSelfCrossing),
   ]);
   library.setup();
   return new SolidKernel(library, selfCrossing);
@@ -64,14 +54,6 @@ hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));
 let newest = 0,
   expected: number | null = null;
 let queue = Promise.resolve();
-
-/** Lets messages in that have arrived meanwhile. */
-const breathe = () =>
-  new Promise<void>((resolve) => {
-    const channel = new MessageChannel();
-    channel.port1.onmessage = () => resolve();
-    channel.port2.postMessage(null);
-  });
 
 function postSolid(id: number, { node, ms, mesh, failure }: Solved): void {
   const arrays = mesh ? [mesh.positions, mesh.uv, mesh.triangles, mesh.mergeFrom, mesh.mergeTo] : [];

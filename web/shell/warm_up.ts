@@ -51,3 +51,16 @@ export function isSolidLikely(before: Seen | null, { parts, picked, undo }: Seen
 export function startSolver(engine: Engine): void {
   whenIdle(() => engine.solver?.start());
 }
+
+const cutsOut = (seen: Pick<ShellView, 'tool' | 'picture'> | null): boolean =>
+  seen !== null && seen.picture !== null && (seen.tool === 'puff' || seen.tool === 'sheet');
+
+/** Whether a cut-out has become likely: a tool is taken in hand whose tap on a picture cuts out. */
+export function isCutOutLikely(before: Parameters<typeof cutsOut>[0], now: Parameters<typeof cutsOut>[0]): boolean {
+  return cutsOut(now) && !cutsOut(before);
+}
+
+/** Starts the worker that cuts out in an idle moment. */
+export function startCutter(engine: Engine): void {
+  whenIdle(() => engine.cutter?.start());
+}

@@ -17,7 +17,7 @@ export const shell = await loadShell(`
   export { ringsOf } from './solids/rings.ts';
   export { DistanceField } from './solids/distance.ts';
   export { gridOver, sample, surfaceWhere } from './solids/grid.ts';
-  export { meshesAt } from './engine.ts';
+  export { meshesAt } from './engine_workers.ts';
   export { Solver } from './solids/solver.ts';
   export { countOf } from './solids/topology.ts';
   export { isSolidLikely } from './warm_up.ts';

@@ -2,16 +2,19 @@
 // hand that draws.
 #pragma once
 
+#include <doctest/doctest.h>
 #include <imgui.h>
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "engine/vision/cut_out_numbers.h"
 #include "web/gl/null_renderer.h"
 #include "web/model/json.h"
 #include "web/page/app.h"
@@ -27,6 +30,28 @@ class FakeHost final : public platform::Host {
   void solve(std::string_view json, std::span<const platform::SolverMesh> meshes) override {
     sent.emplace_back(json);
     given.assign(meshes.begin(), meshes.end());
+  }
+  void cutOut(const platform::CutRequest& request) override {
+    search = Search{request.id, request.picture, vision::hintsFrom(request.hints), {}};
+    pictureKeys.emplace_back(request.pictureKey);
+  }
+  /// A round of the search that is asked for, as the program of the page does it, and what it says.
+  void cutOnce(platform::Page& page) {
+    using enum platform::CutAnswer::Kind;
+    if (!search) return;
+    Search& now = *search;
+    REQUIRE(now.hints);
+    if (!now.rounds) now.rounds.emplace(vision::CutOutSearch::begin(now.picture, *now.hints));
+    Result<vision::CutOutSearch>& rounds = *now.rounds;
+    if (rounds && rounds.value().step()) {
+      page.cutOutAnswered({now.id, Progress, rounds.value().done(), {}});
+      return;
+    }
+    const auto found =
+        vision::numbersOf(rounds ? rounds.value().outlines() : Result<vision::CutContours>(rounds.failure()));
+    const std::uint32_t id = now.id;
+    search.reset();
+    page.cutOutAnswered({id, Found, 1, found});
   }
   void sendFile(std::string_view name, std::string_view, std::span<const std::uint8_t> b) override {
     files.emplace_back(std::string(name), b.size());
@@ -45,6 +70,15 @@ class FakeHost final : public platform::Host {
   std::vector<std::string> sent;
   std::vector<platform::SolverMesh> given;  ///< to the solver, last
   std::vector<std::pair<std::string, std::size_t>> files;
+  /// For a cut-out that is asked for.
+  struct Search {
+    std::uint32_t id = 0;
+    image::Picture picture;
+    std::optional<vision::CutHints> hints;
+    std::optional<Result<vision::CutOutSearch>> rounds;
+  };
+  std::optional<Search> search;
+  std::vector<std::string> pictureKeys;  ///< of all cut-outs that were asked for
 };
 
 /// A dark vertical bar on white paper; its middle line runs from (100, 40) to (100, 160).
@@ -86,6 +120,7 @@ class Rig {
     const auto start = std::chrono::steady_clock::now();
     for (int turns = 0; threads_ > 0 || turns < most; ++turns) {
       host.clockMs += 16;
+      host.cutOnce(*app);
       if (std::exchange(host.wakesAsked, 0) > 0) app->wake();
       const bool drawn = std::exchange(host.frameAsked, false);
       if (drawn) app->frame();

@@ -1,5 +1,6 @@
 // What the page and the worker of solids tell each other. Positions are in the world's units (the longer
 // side of a picture is 1), matrices are 4 × 4 in columns.
+import type { LifeMessage } from '../live_worker.ts';
 
 /** A closed mesh, as the engine has it; uv may be empty. */
 export interface MeshData {
@@ -83,9 +84,7 @@ export interface SolidFailure {
 }
 
 export type WorkerMessage =
-  | { type: 'ready' }
-  /** It holds the lock that ends with it (lifeline.ts). */
-  | { type: 'alive' }
+  | LifeMessage
   | { type: 'progress'; id: number; done: number }
   | {
       type: 'solid';

@@ -1,6 +1,7 @@
-// The solver of solids as the page has it: one worker, which is started when a solid is likely to be asked for and
-// again, by a request, after it died or was stopped. What is asked for is the engine's to know (SolidWork in web);
+// The solver of solids as the page has it: one worker. What is asked for is the engine's to know (SolidWork in web);
 // answers go to it as they come.
+import { LiveWorker } from '../live_worker.ts';
+import type { WorkerLike } from '../live_worker.ts';
 import type { ExpectRequest, MeshData, SolidMesh, SolidNode, SolveRequest, WorkerMessage } from './protocol.ts';
 
 /** What the engine asks; meshes are its own arrays, and theirs only while it asks. */
@@ -11,13 +12,7 @@ export interface SolveEvent {
   wanted: string[];
 }
 
-/** As much of a Worker as is needed, so that tests can stand in for it. */
-export interface SolidWorker {
-  onmessage: ((event: { data: WorkerMessage }) => void) | null;
-  onerror: ((event: unknown) => void) | null;
-  postMessage(message: SolveRequest | ExpectRequest, transfer: Transferable[]): void;
-  terminate(): void;
-}
+export type SolidWorker = WorkerLike<SolveRequest | ExpectRequest, WorkerMessage>;
 
 export interface SolverHost {
   start(): SolidWorker;
@@ -29,21 +24,28 @@ export interface SolverHost {
 const kKnownRequests = 8;
 
 export class Solver {
-  private worker: SolidWorker | null = null;
+  private readonly worker: LiveWorker<SolveRequest | ExpectRequest, WorkerMessage>;
   /** Meshes that the worker has, and the request that last named them. */
   private readonly known = new Map<string, number>();
   private requests = 0;
   private bytes = 0;
   private expected: number | null = null;
-  private wasStarted = false;
-  /** The worker has loaded all that it needs. */
-  private isLoaded = false;
 
-  constructor(private readonly host: SolverHost) {}
+  constructor(private readonly host: SolverHost) {
+    this.worker = new LiveWorker({
+      start: () => host.start(),
+      started: (worker) => worker.postMessage({ expect: this.expected }, []),
+      take: (message) => this.take(message),
+      lost: (isLoaded) => {
+        this.known.clear();
+        host.answer(JSON.stringify({ lost: true, loaded: isLoaded }), null);
+      },
+    });
+  }
 
   /** Memory that the worker had grown to when it last answered; 0 without one. */
   get memory(): number {
-    return this.worker ? this.bytes : 0;
+    return this.worker.isRunning ? this.bytes : 0;
   }
 
   /** Called while the engine asks: what is not copied now may be gone. */
@@ -52,63 +54,32 @@ export class Solver {
     for (const [key, request] of this.known) if (request + kKnownRequests < this.requests) this.known.delete(key);
     const meshes: SolveRequest['meshes'] = {};
     for (const { key, mesh } of named) {
-      if (!this.known.has(key) || !this.worker)
+      if (!this.known.has(key))
         meshes[key] = { positions: mesh.positions.slice(), uv: mesh.uv.slice(), triangles: mesh.triangles.slice() };
       this.known.set(key, this.requests);
     }
     const arrays = Object.values(meshes).flatMap(({ positions, uv, triangles }) => [positions, uv, triangles]);
-    try {
-      this.worker ??= this.started();
-      this.worker.postMessage(
-        { id, nodes, wanted, meshes },
-        arrays.map((array) => array.buffer as ArrayBuffer),
-      );
-    } catch {
-      this.lost();
-    }
+    this.worker.ask(
+      { id, nodes, wanted, meshes },
+      arrays.map((array) => array.buffer as ArrayBuffer),
+    );
   }
 
   /** The part that is likely to be edited next, or null: a worker with nothing to do makes ready for it. */
   expect(part: number | null): void {
     this.expected = part;
-    this.worker?.postMessage({ expect: part }, []);
+    this.worker.tell({ expect: part });
   }
 
-  /** A solid is likely to be asked for soon. What died or was stopped is started by a request alone. */
+  /** A solid is likely to be asked for soon. */
   start(): void {
-    if (this.wasStarted) return;
-    try {
-      this.worker = this.started();
-    } catch {
-      // The first request tries again, and says so.
-    }
+    this.worker.start();
   }
 
   /** Ends what the worker is at; the next request starts a fresh one. */
   stop(): void {
-    const { worker } = this;
-    this.worker = null;
     this.known.clear();
-    if (!worker) return;
-    worker.onmessage = worker.onerror = null;
-    worker.terminate();
-  }
-
-  private started(): SolidWorker {
-    const worker = this.host.start();
-    this.wasStarted = true;
-    this.isLoaded = false;
-    worker.onmessage = ({ data }) => this.take(data);
-    worker.onerror = () => {
-      if (this.worker === worker) this.lost();
-    };
-    worker.postMessage({ expect: this.expected }, []);
-    return worker;
-  }
-
-  private lost(): void {
-    this.stop();
-    this.host.answer(JSON.stringify({ lost: true, loaded: this.isLoaded }), null);
+    this.worker.stop();
   }
 
   private take(message: WorkerMessage): void {
@@ -126,10 +97,6 @@ export class Solver {
       case 'progress':
         this.host.answer(JSON.stringify({ id: message.id, progress: message.done }), null);
         break;
-      case 'ready':
-        this.isLoaded = true;
-        break;
-      default: // it is alive
     }
   }
 }
