@@ -8,6 +8,10 @@
 #include "web/platform/page.h"
 #include "web/platform/warm_up.h"
 
+/// In place of Dear ImGui's own, whose built-in font is ten kilobytes that do not compress: the page is given its
+/// fonts.
+ImFont* ImFontAtlas::AddFontDefault(const ImFontConfig*) { return nullptr; }
+
 namespace spineloft::platform {
 namespace {
 

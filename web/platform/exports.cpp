@@ -58,6 +58,7 @@ EMSCRIPTEN_KEEPALIVE int spl_start(const std::uint8_t* font, int fontLength, con
                                    const std::uint8_t* icons, int iconsLength, double width, double height,
                                    double dpr) {
   if (page() != nullptr) return 1;
+  if (fontLength < 1 || boldLength < 1) return 0;  // no other font is inside
   const CanvasSize size = sizeOf(width, height, dpr);
   if (!openWindow(size)) return 0;
   FontFiles fonts{bytesOf(font, fontLength), bytesOf(bold, boldLength), bytesOf(icons, iconsLength)};
