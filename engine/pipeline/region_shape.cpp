@@ -98,16 +98,37 @@ Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size pi
   });
 }
 
+namespace {
+
+/// The outlines of a shape with the views of their pictures.
+Result<std::vector<shape::SeenOutline>> seenOutlines(const document::ShapeRecipe& recipe,
+                                                     const document::Document& document) {
+  std::vector<shape::SeenOutline> outlines;
+  for (const document::Outline& outline : recipe.outlines) {
+    const auto view = viewOn(document, outline.picture, recipe.picture);
+    if (!view) return view.failure();
+    outlines.push_back({view.value(), outline.lines});
+  }
+  return outlines;
+}
+
+}  // namespace
+
+Result<std::vector<PicturePoint>> outlineIn(const document::ShapeRecipe& recipe, const document::Document& document,
+                                            PictureId picture) {
+  const auto outlines = seenOutlines(recipe, document);
+  if (!outlines) return outlines.failure();
+  const auto view = viewOn(document, picture, recipe.picture);
+  if (!view) return view.failure();
+  return shape::outlineSeen(recipe.shape, outlines.value(), view.value());
+}
+
 Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,
                                image::Size picture, const Clock& clock) {
   return timed(clock, [&]() -> Result<PartShape> {
-    std::vector<shape::SeenOutline> outlines;
-    for (const document::Outline& outline : recipe.outlines) {
-      const auto view = viewOn(document, outline.picture, recipe.picture);
-      if (!view) return view.failure();
-      outlines.push_back({view.value(), outline.lines});
-    }
-    Result<shape::Shaped> made = shape::makeShape(recipe.shape, outlines, picture);
+    const auto outlines = seenOutlines(recipe, document);
+    if (!outlines) return outlines.failure();
+    Result<shape::Shaped> made = shape::makeShape(recipe.shape, outlines.value(), picture);
     if (!made) return made.failure();
     return shapeOf(std::move(made.value().silhouette), std::move(made.value().mesh));
   });

@@ -44,6 +44,11 @@ struct Shaped {
 /// what is wrong in words. Cost: levels × sides.
 Result<Shaped> makeShape(const ShapeParams& params, std::span<const SeenOutline> outlines, image::Size picture);
 
+/// Its outline as a view shows it (none: from the front), pixels of the view's picture: one closed line. Ends are shown
+/// flat. Errors: those of makeShape. Cost: levels.
+Result<std::vector<PicturePoint>> outlineSeen(const ShapeParams& params, std::span<const SeenOutline> outlines,
+                                              const std::optional<geometry::View>& view);
+
 /// What an outline says of a shape with this axis.
 enum class Role : std::uint8_t { Width, Depth, Section };
 Role roleOf(const Axis& axis, const std::optional<geometry::View>& view);

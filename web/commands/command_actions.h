@@ -72,6 +72,14 @@ std::optional<document::Operand> namedRoot(const CommandEnv& env, const Json& ar
 /// The sides at which a hollow solid can be open, as choices of a menu.
 void writeOpenings(JsonWriter& json, std::optional<document::OpeningSide> chosen);
 
+// Shapes.
+/// Why a recipe makes no shape, so that it is refused before it is kept.
+Status checkMade(const CommandEnv& env, const document::ShapeRecipe& recipe);
+/// Other measures, and outlines that go with them. Changes with the same `burst` one after the other are one step.
+Outcome reshape(const CommandEnv& env, PartId part, const document::ShapeRecipe& recipe, std::string_view burst);
+/// The thing with these outlines becomes a new shape, or the outline of `part`, in the picture in view.
+Outcome shapeOfThing(const CommandEnv& env, PartId part, const geometry::Contours& contours);
+
 /// The outlines in the picture of what is made of a region; so that what cannot be shown is refused before it is kept.
 Result<geometry::Contours> outlinesFor(const CommandEnv& env, const document::Recipe& recipe);
 

@@ -33,9 +33,11 @@ Outcome take(Env env) {
   const CutDraft& draft = *env.ui.cut;
   const document::Region region{draft.picture, draft.shape.contours, 0};
   const document::RegionSolid solid =
-      draft.flat ? document::RegionSolid(env.ui.extrude) : document::RegionSolid(env.ui.inflate);
+      draft.into == CutInto::Sheet ? document::RegionSolid(env.ui.extrude) : document::RegionSolid(env.ui.inflate);
   if (!draft.atOnce) sendStatus(env.host, {});  // before what was made is told
-  Outcome done = draft.part ? redrawRegion(env, draft.part, region) : drawRegion(env, region, solid, true);
+  Outcome done = draft.into == CutInto::Shape ? shapeOfThing(env, draft.part, region.contours)
+                 : draft.part                 ? redrawRegion(env, draft.part, region)
+                                              : drawRegion(env, region, solid, true);
   if (!done) return done;
   env.ui.cut.reset();
   return {};
@@ -119,11 +121,15 @@ Result<vision::CutHints> checkedHints(vision::CutHints hints, image::Size size) 
   return hints;
 }
 
+/// What the tool in hand makes of a thing.
+CutInto usualInto(Env env) { return env.ui.tool == ToolKind::Extrude ? CutInto::Sheet : CutInto::Puff; }
+
 /// What is to be cut out, and what becomes of it.
 struct Begin {
   vision::CutHints hints;
   PartId part;  ///< receives the outline; none: a new part
-  bool flat = false, atOnce = false;
+  CutInto into = CutInto::Puff;
+  bool atOnce = false;
 };
 
 Outcome begin(Env env, Begin wanted) {
@@ -137,7 +143,9 @@ Outcome begin(Env env, Begin wanted) {
   if (wanted.part) {
     const document::Part* part = document::findPart(env.studio.document(), wanted.part);
     if (part == nullptr) return noPart();
-    if (document::regionOf(part->recipe) == nullptr) return refuse({Error::NotARegion, {}});
+    const bool shape = wanted.into == CutInto::Shape;
+    if (shape && !document::shapeOf(*part)) return refuse({Error::NotAShape, {}});
+    if (!shape && !document::regionOf(part->recipe)) return refuse({Error::NotARegion, {}});
   }
   closeCut(env);
   CutDraft& draft = env.ui.cut.emplace();
@@ -145,7 +153,7 @@ Outcome begin(Env env, Begin wanted) {
   draft.picture = entry->id;
   draft.hints = std::move(hints).value();
   draft.atOnce = wanted.atOnce;
-  draft.flat = wanted.flat;
+  draft.into = wanted.into;
   search(env);
   return {};
 }
@@ -160,13 +168,15 @@ Outcome show(Env env, Begin wanted) {
 
 /// None: the part that is named is not there.
 std::optional<Begin> beginOf(Env env, const Json& args, bool atOnce) {
-  Begin wanted{hintsFrom(args), {}, env.ui.tool == ToolKind::Extrude, atOnce};
+  Begin wanted{hintsFrom(args), {}, usualInto(env), atOnce};
   if (namesPart(args)) {
     const document::Part* part = partOf(env, args);
     if (part == nullptr) return std::nullopt;
     wanted.part = part->id;
   }
-  if (const std::string* as = args.text("as")) wanted.flat = *as == "sheet";
+  if (const std::string* as = args.text("as")) {
+    wanted.into = *as == "sheet" ? CutInto::Sheet : *as == "shape" ? CutInto::Shape : CutInto::Puff;
+  }
   return wanted;
 }
 
@@ -299,7 +309,11 @@ CutShape filledShape(vision::CutContours contours, image::Size picture) {
 }
 
 Outcome startCutOut(Env env, const vision::CutHints& hints, PartId part) {
-  return show(env, {hints, part, env.ui.tool == ToolKind::Extrude, false});
+  return show(env, {hints, part, usualInto(env), false});
+}
+
+Outcome fitShape(Env env, PicturePoint at, PartId part) {
+  return begin(env, {vision::CutHints{{at}, {}, {}, {}}, part, CutInto::Shape, true});
 }
 
 Outcome markCutOut(Env env, const std::vector<PicturePoint>& line, double radius) {

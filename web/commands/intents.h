@@ -14,6 +14,7 @@
 #include "web/commands/commands.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
+#include "web/edit/shaping.h"
 
 namespace spineloft::app {
 
@@ -114,6 +115,27 @@ Outcome setAxis(const CommandEnv& env, PartId part, PicturePoint from, PicturePo
 Outcome startCutOut(const CommandEnv& env, const vision::CutHints& hints, PartId part);
 /// Corrects what is being cut out.
 Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line, double radius);
+
+// ---- Shapes ------------------------------------------------------------------------------------------------------
+
+/// A new one. `lie` as of DrawSpineIntent.
+Outcome drawShape(const CommandEnv& env, const document::ShapeRecipe& recipe, bool lie);
+/// Other measures, and outlines that go with them.
+Outcome reshape(const CommandEnv& env, PartId part, const document::ShapeRecipe& recipe);
+/// A line drawn at its outline in the picture in view (see web/edit/shaping.h).
+Outcome drawShapeLine(const CommandEnv& env, PartId part, const std::vector<PicturePoint>& line);
+/// A handle to a place of the picture in view.
+Outcome dragShape(const CommandEnv& env, PartId part, ShapeHold hold, PicturePoint to);
+Outcome chooseShapeHandle(const CommandEnv& env, int handle);
+/// What the thing at a place becomes: the outline of `part` in the picture in view; none: a new shape.
+Outcome fitShape(const CommandEnv& env, PicturePoint at, PartId part);
+/// The primitive of the next shape; what is in hand is let go of.
+Outcome choosePrimitive(const CommandEnv& env, shape::Primitive primitive);
+/// The primitive of these shapes.
+Outcome setPrimitive(const CommandEnv& env, const Parts& parts, shape::Primitive primitive);
+/// The picture shows from there what the picture of the selected shape, or the first other one, shows from the front.
+/// None: it is no side of another one any more.
+Outcome setSidePicture(const CommandEnv& env, PictureId picture, std::optional<geometry::ViewFrom> from);
 
 // ---- Layers ------------------------------------------------------------------------------------------------------
 

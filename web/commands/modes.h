@@ -38,6 +38,8 @@ extern const Mode kOutlinePointMode;  ///< a point of an outline is chosen: outl
 extern const Mode kOutlineMode;       ///< a part that has an outline is selected for its tool: the same
 extern const Mode kBoneMode;          ///< a point of the bones of a puff is chosen: puff_bone_commands.cpp
 extern const Mode kBonesMode;         ///< they are shown: the same
+extern const Mode kShapePointMode;    ///< a handle of a shape is chosen: shape_tool_commands.cpp
+extern const Mode kShapeMode;         ///< they are shown: the same
 extern const Mode kLayerMode;         ///< the sheet for layers is shown: layer_commands.cpp
 extern const Mode kPartsMode;         ///< parts are in hand for the tool that moves them: place_commands.cpp
 

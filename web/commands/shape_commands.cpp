@@ -7,6 +7,8 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/edit/shaping.h"
 #include "web/model/messages.h"
 
 namespace spineloft::app {
@@ -52,16 +54,7 @@ std::optional<Lines> linesFrom(const Json& args) {
 }
 Outcome missingLines() { return missing("a closed line: a list of [x, y] picture pixels (or lines: two open ones)"); }
 
-/// Why a recipe makes no shape, so that it is refused before it is kept.
-Status checkMade(Env env, const document::ShapeRecipe& recipe) {
-  const document::Document& document = env.studio.document();
-  if (Status drawn = document::checkShape(document, recipe); !drawn) return drawn;
-  const image::Size size = document::findPicture(document, recipe.picture)->size;
-  const auto made = pipeline::outlineStage(recipe, document, size);
-  return made ? Status(Done{}) : Status(made.failure());
-}
-
-Outcome drawShape(Env env, const Json& args) {
+Outcome drawShapeRow(Env env, const Json& args) {
   document::ShapeRecipe recipe;
   recipe.picture = pictureFrom(args, "picture", env.ui.picture);
   const std::string* kind = args.text("kind");
@@ -86,12 +79,7 @@ Outcome drawShape(Env env, const Json& args) {
   auto lines = linesFrom(args);
   if (!lines) return missingLines();
   if (!lines->empty()) recipe.outlines.push_back({recipe.picture, std::move(*lines)});
-  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
-  const document::DrawShape draw{recipe.picture, recipe.shape, recipe.outlines, env.ui.look};
-  const Standing standing = standingActions(env, draw, recipe, args.flag("lie").value_or(false));
-  if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
-  takeMade(env, standing);
-  return {};
+  return drawShape(env, recipe, args.flag("lie").value_or(false));
 }
 
 Outcome shapeOutline(Env env, const Json& args) {
@@ -105,23 +93,7 @@ Outcome shapeOutline(Env env, const Json& args) {
   const PictureId picture = pictureFrom(args, "picture", recipe.picture);
   std::erase_if(recipe.outlines, [&](const document::Outline& outline) { return outline.picture == picture; });
   if (!lines->empty()) recipe.outlines.push_back({picture, std::move(*lines)});
-  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
-  return outcomeOf(env.studio.act(document::SetOutlines{part->id, recipe.outlines}));
-}
-
-/// Without numbers both pictures show the same rows (from the top: columns), and the depth is 0 in the middle.
-geometry::View plainView(geometry::ViewFrom from, image::Size front, image::Size side) {
-  const bool top = from == geometry::ViewFrom::Top, back = from == geometry::ViewFrom::Back;
-  geometry::View view{from, (side.width - 1) / 2.0, static_cast<double>(front.height) / side.height, 0};
-  if (top) view.scale = static_cast<double>(front.width) / side.width;
-  view.shift = (1 - view.scale) / 2;  // edges of pixels upon edges
-  if (top) view.shift = -view.shift;
-  if (top) view.middle = (side.height - 1) / 2.0;
-  if (back) {
-    view.middle = -view.shift / view.scale;
-    view.shift = (front.width - 1 + view.scale * (side.width - 1)) / 2;
-  }
-  return view;
+  return reshape(env, part->id, recipe);
 }
 
 Outcome setView(Env env, const Json& args) {
@@ -146,7 +118,7 @@ constexpr Argument kKind{"kind"}, kLine{"line"}, kOf{"of"};
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "draw-shape", .label = "Shape by numbers", .icon = "wine", .group = "part", .argument = kKind,
-            .hint = "A ball, a box or another shape in picture pixels", .enabled = hasPicture, .run = drawShape},
+            .hint = "A ball, a box or another shape in picture pixels", .enabled = hasPicture, .run = drawShapeRow},
     Command{.id = "shape-outline", .label = "Outline of a shape by numbers", .icon = "lasso", .group = "part",
             .argument = kLine, .hint = "A line in picture pixels", .enabled = kHasShape, .run = shapeOutline},
     Command{.id = "set-view", .label = "Side picture by numbers", .icon = "move", .group = "part", .argument = kOf,
@@ -155,6 +127,37 @@ constexpr std::array kTable = {
 // clang-format on
 
 }  // namespace
+
+Status checkMade(Env env, const document::ShapeRecipe& recipe) {
+  const document::Document& document = env.studio.document();
+  if (Status drawn = document::checkShape(document, recipe); !drawn) return drawn;
+  const image::Size size = document::findPicture(document, recipe.picture)->size;
+  const auto made = pipeline::outlineStage(recipe, document, size);
+  return made ? Status(Done{}) : Status(made.failure());
+}
+
+Outcome drawShape(Env env, const document::ShapeRecipe& recipe, bool lie) {
+  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
+  const document::DrawShape draw{recipe.picture, recipe.shape, recipe.outlines, env.ui.look};
+  const Standing standing = standingActions(env, draw, recipe, lie);
+  if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
+  takeMade(env, standing);
+  return {};
+}
+
+Outcome reshape(Env env, PartId id, const document::ShapeRecipe& recipe) { return reshape(env, id, recipe, {}); }
+
+Outcome reshape(Env env, PartId id, const document::ShapeRecipe& recipe, std::string_view burst) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr) return noPart();
+  const document::ShapeRecipe* own = document::shapeOf(*part);
+  if (own == nullptr) return refuse({Error::NotAShape, {}});
+  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
+  std::vector<document::Action> actions;
+  if (!(own->shape == recipe.shape)) actions.push_back(document::SetShape{id, recipe.shape});
+  if (!(own->outlines == recipe.outlines)) actions.push_back(document::SetOutlines{id, recipe.outlines});
+  return actions.empty() ? Outcome() : outcomeOf(env.studio.act(actions, burst));
+}
 
 std::span<const Command> shapeCommands() { return kTable; }
 

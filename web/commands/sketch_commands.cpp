@@ -45,7 +45,9 @@ int sideOf(const Json& args, std::string_view key, int fallback) {
 void show(Env env, PictureId id) {
   UiState& ui = env.ui;
   const document::Part* part = document::findPart(env.studio.document(), ui.selection);
-  if (part != nullptr && document::pictureOf(*part) != id) ui.selection = {};
+  // A shape has outlines in other pictures, too.
+  const bool goesAlong = part != nullptr && ui.tool == ToolKind::Primitive && document::shapeOf(*part) != nullptr;
+  if (part != nullptr && document::pictureOf(*part) != id && !goesAlong) ui.selection = {};
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
   if (ui.picture != id && entry != nullptr) {
     sendStatus(env.host, words::tr("{name} is in view.", {{"name", words::nameOf(entry->name)}}));

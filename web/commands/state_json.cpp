@@ -12,6 +12,7 @@
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
+#include "web/edit/shaping.h"
 #include "web/model/colour_text.h"
 
 #include "web/commands/modes.h"
@@ -72,7 +73,8 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("mark").number(ui.hover.mark).endObject();
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
-  json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone).key("outline");
+  json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone);
+  json.key("shapeHandle").number(ui.chosen.shape).key("outline");
   if (ui.chosen.outline) {
     json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
     json.number(static_cast<double>(ui.chosen.outline->point)).endArray();
@@ -194,6 +196,42 @@ void writeBoneHandles(JsonWriter& json, const CommandEnv& env) {
   for (const BoneHandle& handle : boneHandles(puff)) {
     json.beginObject().key("hold").text(holdKey(handle.hold));
     const ClientPoint at = holdOnCanvas(handle, env.ui);
+    writeNumbers(json, "at", {at.x, at.y});
+    json.endObject();
+  }
+  json.endArray();
+}
+
+/// Of a shape: what it is before an outline says more, picture pixels, and its outlines.
+void writeShape(JsonWriter& json, const document::Part& part) {
+  json.key("shape");
+  const document::ShapeRecipe* recipe = document::shapeOf(part);
+  if (recipe == nullptr) {
+    json.null();
+    return;
+  }
+  const shape::ShapeParams& shape = recipe->shape;
+  json.beginObject().key("kind").text(io::keyOf(shape.primitive));
+  writeLine(json, "axis", std::array{shape.axis.from, shape.axis.to});
+  json.key("width").number(shape.width).key("depth").text(io::keyOf(shape.depth.mode));
+  json.key("ratio").number(shape.depth.ratio).key("outlines").beginArray();
+  for (const document::Outline& outline : recipe->outlines) {
+    json.beginObject().key("picture").number(outline.picture.value).key("lines").beginArray();
+    for (const auto& line : outline.lines) writeLine(json, line);
+    json.endArray().endObject();
+  }
+  json.endArray().endObject();
+}
+
+/// The outline of the shape in hand, pixels of the picture in view, and where it is held on the canvas.
+void writeShapeInHand(JsonWriter& json, const CommandEnv& env) {
+  const auto seen = shapeInHand(env.studio.document(), env.ui);
+  json.key("nextShape").text(io::keyOf(env.ui.primitive));
+  writeLine(json, "shapeOutline", seen ? seen->outline : std::vector<PicturePoint>{});
+  json.key("shapeHandles").beginArray();
+  for (const ShapeHandle& handle : seen ? shapeHandles(*seen) : std::vector<ShapeHandle>{}) {
+    json.beginObject().key("hold").text(holdKey(handle.hold));
+    const ClientPoint at = env.ui.pictureView.toClient(handle.at, env.ui.layout.picture);
     writeNumbers(json, "at", {at.x, at.y});
     json.endObject();
   }
@@ -333,6 +371,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
       derived.shape && document::loftOf(part) ? spineHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
   writeRegion(json, part, derived.shape.get());
   writeBones(json, bonedPuff(part, derived.shape.get()));
+  writeShape(json, part);
   writeParameters(json, part);
   json.key("triangles");
   json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);
@@ -388,7 +427,16 @@ void writePictureList(JsonWriter& json, const document::Document& document) {
   for (const document::PictureEntry& entry : document.pictures) {
     json.beginObject().key("id").number(entry.id.value).key("name").text(entry.name);
     json.key("width").number(entry.size.width).key("height").number(entry.size.height);
-    json.key("sketch").flag(entry.isSketch()).endObject();
+    json.key("sketch").flag(entry.isSketch()).key("view");
+    if (entry.view) {
+      const geometry::View& view = entry.view->view;
+      json.beginObject().key("of").number(entry.view->of.value).key("from").text(io::keyOf(view.from));
+      json.key("middle").number(view.middle).key("scale").number(view.scale).key("shift").number(view.shift);
+      json.endObject();
+    } else {
+      json.null();
+    }
+    json.endObject();
   }
   json.endArray();
 }
@@ -495,6 +543,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   axis ? writeLine(json, std::array{axis->from, axis->to}) : static_cast<void>(json.null());
   writeSheet(json, env);
   writeBoneHandles(json, env);
+  writeShapeInHand(json, env);
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct CutShape {
 /// For outlines of a cut-out; without triangles when they cannot be filled.
 CutShape filledShape(vision::CutContours contours, image::Size picture);
 
+/// What a new part is that a cut-out becomes.
+enum class CutInto : std::uint8_t { Puff, Sheet, Shape };
+
 struct CutDraft {
   PictureId picture;
   vision::CutHints hints;               ///< where it began, and the marks since
@@ -29,8 +33,8 @@ struct CutDraft {
   bool adding = true;                   ///< the brush in hand adds, else it takes away
   bool searching = false;
   bool atOnce = false;  ///< becomes a part without being asked, as soon as it is found
-  PartId part;          ///< whose region it becomes; none: a new part
-  bool flat = false;    ///< a new part is a flat piece
+  PartId part;          ///< whose region, or outline in this picture, it becomes; none: a new part
+  CutInto into = CutInto::Puff;
 };
 
 }  // namespace spineloft::app

@@ -14,6 +14,7 @@
 #include "web/edit/preview.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/section_editing.h"
+#include "web/edit/shaping.h"
 #include "web/edit/solid_editing.h"
 #include "web/model/messages.h"
 #include "web/panels/panels.h"
@@ -146,6 +147,12 @@ void App::settleChosen() {
     const auto count = static_cast<int>(boneHandles(bonesInHand(studio_.document(), studio_.derived(), ui_)).size());
     if (ui_.chosen.bone >= count) ui_.chosen.bone = -1;
     if (ui_.hover.bone >= count) ui_.hover.bone = -1;
+  }
+  if (ui_.chosen.shape >= 0 || ui_.hover.shape >= 0) {
+    const auto seen = shapeInHand(studio_.document(), ui_);
+    const auto count = seen ? static_cast<int>(shapeHandles(*seen).size()) : 0;
+    if (ui_.chosen.shape >= count) ui_.chosen.shape = -1;
+    if (ui_.hover.shape >= count) ui_.hover.shape = -1;
   }
   if (!ui_.chosen.end && !ui_.hover.end) return;
   const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);

@@ -24,6 +24,7 @@ namespace {
 constexpr double kMargin = 8, kGap = 2, kPadding = 4;
 constexpr double kChipRoom = 84;    // of the view's name at its left
 constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
+constexpr double kBelow = 6;        // between two cards
 constexpr double kLowSolid = 380;   // in which two rows of buttons leave no room for a solid
 constexpr float kMostTurns = 8;
 
@@ -66,7 +67,8 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
   static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
   static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
   if (ui.solids.hollow) return kHollow;
-  const bool draws = ui.tool == app::ToolKind::Draw || app::drawsRegions(ui.tool);
+  const bool draws =
+      ui.tool == app::ToolKind::Draw || app::drawsRegions(ui.tool) || ui.tool == app::ToolKind::Primitive;
   if (draws && !ui.cut && !ui.preview && app::partIsNew(env.env)) return kNew;
   switch (ui.tool) {
     case app::ToolKind::Inflate:
@@ -252,6 +254,17 @@ void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, co
   ImGui::PopStyleVar(3);
 }
 
+/// The card of the tool Shapes; how high it is. What else the bar holds comes and goes below it.
+double shapesAtHead(const PanelEnv& env) {
+  const app::Layout& layout = env.ui().layout;
+  const app::Rect& view = layout.picture;
+  const double chip = layout.stacked ? 0 : kChipRoom, column = app::buttonsAtSide(view) ? kColumnRoom : 0;
+  const double height = shapeCard(env, {view.x + chip + kMargin, view.y + kMargin,
+                                        view.width - chip - column - 2 * kMargin, view.height - 2 * kMargin});
+  if (layout.stacked && height > 0) env.ui().barHead = height + kMargin;
+  return height;
+}
+
 }  // namespace
 
 void drawEditBar(const PanelEnv& env) {
@@ -263,7 +276,9 @@ void drawEditBar(const PanelEnv& env) {
   env.ui().barHead = 0;
   // The board for a section has the picture's place to itself.
   const bool covered = !places && env.ui().sections.board;
-  if (items.empty() || covered || env.document().pictures.empty()) return;
+  if (covered || env.document().pictures.empty()) return;
+  const double shapes = shapesAtHead(env);
+  if (items.empty()) return;
   const float side = buttonSide(env);
   // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot. On a phone, upright or on
   // its side, all that works in the solid view is there, beside the view's buttons: one row lies over the solid.
@@ -287,10 +302,11 @@ void drawEditBar(const PanelEnv& env) {
   }
   const double width = widest + split.more(side) + 2 * kPadding;
   const double height = rows * (side + kGap) - kGap + 2 * kPadding;
-  const double y = atFoot ? view.bottom() - kMargin - height : view.y + kMargin;
+  const double head = view.y + kMargin + (shapes > 0 ? shapes + kBelow : 0);
+  const double y = atFoot ? view.bottom() - kMargin - height : head;
   const app::Rect card{view.right() - column - kMargin - width, y, width, height};
   env.ui().overlays.push_back(card);
-  if (layout.stacked && !places) env.ui().barHead = height + kMargin;
+  if (layout.stacked && !places && shapes == 0) env.ui().barHead = height + kMargin;
   const ImU32 colour = toolColour(env.ui().tool);
   paintBar(env, card, cells, split, colour);
   barMenu(env, app::BarMenu::Edit, split.bar, card, colour);

@@ -1,5 +1,5 @@
 // Handles that a pointer drags in the views, for those who use none: points of an outline, the depth of a spine, the
-// bones of a puff.
+// bones of a puff, a shape.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/region_editing.h"
+#include "web/edit/shaping.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/number_text.h"
 #include "web/panels/panels.h"
@@ -122,6 +123,48 @@ void bones(const PanelEnv& env) {
   }
 }
 
+/// What a number of a handle of a shape says.
+const char* shapeWords(app::ShapeHold hold, bool across) {
+  switch (hold) {
+    case app::ShapeHold::From:
+      return across ? "Begin of the shape: from the left" : "Begin of the shape: from above";
+    case app::ShapeHold::To:
+      return across ? "End of the shape: from the left" : "End of the shape: from above";
+    case app::ShapeHold::Middle:
+      return across ? "Middle of the shape: from the left" : "Middle of the shape: from above";
+    case app::ShapeHold::Width:
+      return across ? "Width of the shape: from the left" : "Width of the shape: from above";
+    case app::ShapeHold::Depth:
+      break;
+  }
+  return across ? "Depth of the shape: from the left" : "Depth of the shape: from above";
+}
+
+/// The shape in hand: where its handles are in the picture in view, in percent of its sides. Width and depth are
+/// measured one way only.
+void shapes(const PanelEnv& env) {
+  const auto seen = app::shapeInHand(env.document(), env.ui());
+  const document::PictureEntry* entry = seen ? document::findPicture(env.document(), seen->picture) : nullptr;
+  if (entry == nullptr || env.ui().preview) return;
+  const PicturePoint way = seen->recipe.shape.axis.to - seen->recipe.shape.axis.from;
+  const bool upright = std::abs(way.y) >= std::abs(way.x);
+  for (const app::ShapeHandle& handle : app::shapeHandles(*seen)) {
+    for (const bool across : {true, false}) {
+      const bool depth = handle.hold == app::ShapeHold::Depth;
+      if ((depth || handle.hold == app::ShapeHold::Width) && across != upright) continue;
+      const double side = across ? entry->size.width : entry->size.height;
+      const double share = 100 * (across ? handle.at.x : handle.at.y) / side;
+      const PointControl what{"shape" + std::string(app::holdKey(handle.hold)) + (across ? "x" : "y"),
+                              words::tr(shapeWords(handle.hold, across)), onCanvas(env.ui(), handle.at)};
+      const auto asked = pointSlider(env, what, {0, 100, share, numberText("{n} %", share, 1)});
+      if (!asked) continue;
+      PicturePoint to = handle.at;
+      (across ? to.x : to.y) = *asked * side / 100;
+      env.sink.run(app::dragShape, seen->part->id, handle.hold, to);
+    }
+  }
+}
+
 }  // namespace
 
 void tellHandles(const PanelEnv& env) {
@@ -129,6 +172,7 @@ void tellHandles(const PanelEnv& env) {
   outlinePoints(env);
   depths(env);
   bones(env);
+  shapes(env);
   ImGui::PopID();
 }
 

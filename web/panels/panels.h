@@ -2,6 +2,8 @@
 // visitor wants into the action sink.
 #pragma once
 
+#include <imgui.h>
+
 #include "web/commands/action_sink.h"
 #include "web/commands/commands.h"
 #include "web/edit/hollowing.h"
@@ -30,9 +32,22 @@ void draw(const PanelEnv& env);
 // Its pieces.
 void drawPictureOverlay(const PanelEnv& env);  ///< spines, ribs, outlines
 void drawBones(const PanelEnv& env);           ///< of a puff, over the picture
-void drawSlicesInSolid(const PanelEnv& env);   ///< lines across it where slices are
-void drawSolidOverlay(const PanelEnv& env);    ///< the spine with the handles of its depth, the sheet for layers
-void drawSheet(const PanelEnv& env);           ///< the sheet, with the curves of the layers
+void drawShapes(const PanelEnv& env);          ///< of the tool Shapes, over the picture
+/// Which shape is next, or from where the picture in view sees the one in hand; `room`: the card is at its upper right.
+/// How high it became; 0: there is none.
+double shapeCard(const PanelEnv& env, const app::Rect& room);
+/// Ready shapes, as small pictures.
+struct PrimitiveTiles {
+  int columns = 4;
+  ImVec2 cell;
+  shape::Primitive chosen = shape::Primitive::Ball;
+  bool words = true;
+  bool next = false;  ///< for the next shape; else for those in hand
+};
+void primitiveTiles(const PanelEnv& env, const PrimitiveTiles& tiles);
+void drawSlicesInSolid(const PanelEnv& env);  ///< lines across it where slices are
+void drawSolidOverlay(const PanelEnv& env);   ///< the spine with the handles of its depth, the sheet for layers
+void drawSheet(const PanelEnv& env);          ///< the sheet, with the curves of the layers
 /// Where the sheet is, as sliders, below the edit bar or, where that is at the foot, above it.
 void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot);
 void drawFailureInPicture(const PanelEnv& env);  ///< where a solid could not be made

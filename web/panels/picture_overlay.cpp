@@ -108,7 +108,7 @@ void grabDot(ImDrawList& list, ImVec2 at, ImU32 colour, bool hot) {
   if (hot) list.AddCircle(at, 10.5f, colour, 28, 1.6f);
 }
 
-/// The outlines of what is made of a region; before there is a solid, as they were drawn.
+/// The outlines of what has no spine; before there is a solid, as they were drawn.
 void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& part,
                 const std::vector<std::vector<PicturePoint>>& contours) {
   const app::UiState& ui = env.ui();
@@ -308,7 +308,7 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
-  } else if (ui.tool == app::ToolKind::Shape) {
+  } else if (ui.tool == app::ToolKind::Shape || ui.tool == app::ToolKind::Primitive) {
     picturePolyline(list, ui, hand.stroke, {faded(kHalo, 220), 5.5f});
     picturePolyline(list, ui, hand.stroke, {toolColour(ui.tool), 2.6f});
   } else {
@@ -347,8 +347,10 @@ void drawParts(ImDrawList& list, const PanelEnv& env) {
     const auto& shape = env.derived.parts[i].shape;
     const document::Part& part = parts[i];
     if (document::pictureOf(part) != ui.picture || !pipeline::isVisible(env.document(), part)) continue;
-    if (const document::Region* region = document::regionOf(part.recipe)) {
-      drawRegion(list, env, part, shape ? shape->contours : region->contours);
+    static const std::vector<std::vector<PicturePoint>> kNone;
+    if (document::loftOf(part) == nullptr) {
+      const document::Region* region = document::regionOf(part.recipe);
+      drawRegion(list, env, part, shape ? shape->contours : region ? region->contours : kNone);
     } else if (!shape) {
       drawSpine(list, ui, document::loftIn(part).stroke);
     } else if (part.id == ui.selection && !drawingNew) {
@@ -400,6 +402,7 @@ void drawPictureOverlay(const PanelEnv& env) {
   if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
   drawBones(env);
+  drawShapes(env);
   drawAxis(list, env);
   drawPreview(list, env.ui());
   drawCut(list, env.ui());

@@ -67,19 +67,21 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
 /// As wide as its words need.
 float menuWidth(const PanelEnv& env) {
   float widest = 0;
-  for (const app::CommandId id : {app::CommandId("rename-picture"), app::CommandId("remove-picture")}) {
+  for (const app::CommandId id :
+       {app::CommandId("side-picture"), app::CommandId("rename-picture"), app::CommandId("remove-picture")}) {
     widest = std::max(widest, extentOf(env.fonts.text, shown(app::commandOf(id).label)).x);
   }
   return std::max(kMenuWidth, widest + 60);
 }
 
 /// The row of a command that is told which picture it is about.
-bool menuRow(const PanelEnv& env, const app::Command& command) {
+bool menuRow(const PanelEnv& env, const app::Command& command, bool on = false) {
   const float height = env.ui().touch ? 44.f : 34.f, width = menuWidth(env) - 8;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::InvisibleButton(command.icon.data(), {width, height});
-  registerControl(env, app::Control::Kind::Button, command.label);
+  registerControl(env, app::Control::Kind::Button, command.label, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (on) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }
@@ -91,18 +93,23 @@ bool menuRow(const PanelEnv& env, const app::Command& command) {
   return pressed;
 }
 
-/// Rename and remove, below (or beside) the picture that they are about.
+/// What is done with a picture, below (or beside) it.
 void menu(const PanelEnv& env, const app::Rect& strip) {
   app::UiState& ui = env.ui();
   const auto at = std::ranges::find(ui.thumbnails, ui.pictureMenu, &app::Thumbnail::picture);
   if (at == ui.thumbnails.end()) return;
   const bool column = strip.height > strip.width;
-  const double height = 2 * (ui.touch ? 44. : 34.) + 10, width = menuWidth(env);
+  const document::PictureEntry* entry = document::findPicture(env.document(), ui.pictureMenu);
+  const bool sides = env.document().pictures.size() > 1, isSide = entry && entry->view;
+  const double height = (sides ? 3 : 2) * (ui.touch ? 44. : 34.) + 10, width = menuWidth(env);
   const double x = column ? strip.right() + 4 : std::max(strip.x + 6, at->at.x);
   const double y = column ? std::max(strip.y, at->at.y) : strip.bottom() + 2;
   const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - width)),
                        std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), width, height};
   beginCard(env, "picture menu", card);
+  if (sides && menuRow(env, app::commandOf("side-picture"), isSide)) {
+    env.sink.run(app::setSidePicture, ui.pictureMenu, isSide ? std::nullopt : std::optional(geometry::ViewFrom::Right));
+  }
   if (menuRow(env, app::commandOf("rename-picture"))) env.sink.run(app::askPictureName, ui.pictureMenu);
   if (menuRow(env, app::commandOf("remove-picture"))) env.sink.run(app::removePicture, ui.pictureMenu);
   const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -137,7 +137,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
 }  // namespace
 
 void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
-  constexpr float kGap = 6;
+  constexpr float kGap = 6, kWordTile = 50;
   const float each = (width - 2 * kGap) / 3, height = env.ui().layout.strip ? 50.f : 54.f;
   const std::span<const app::CommandId> tiles = tilesFor(document::kindOf(part));
   for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -145,6 +145,16 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
     commandTile(env, tiles[i], {each, height});
   }
   if (const document::InflateRecipe* puff = document::inflateOf(part)) profileTiles(env, *puff, width);
+  if (const document::ShapeRecipe* shape = document::shapeOf(part)) {
+    const int columns = env.ui().layout.strip ? 8 : 4;
+    const float side = (width - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
+    primitiveTiles(env, {columns, {side, height}, shape->shape.primitive, side >= kWordTile});
+    ImGui::PopStyleVar();
+    if (app::enabled(app::commandOf("plain-outline"), env.env)) {
+      wordButton(env, {"plain-outline", width, buttonSide(env), kAccent});
+    }
+  }
   const auto table = document::paramTable(document::kindOf(part));
   for (const document::ParamInfo& info : table) {
     if (!info.forFew && (info.applies == nullptr || info.applies(part.recipe))) slider(env, part, info, width);

@@ -49,6 +49,7 @@ ImU32 toolColour(app::ToolKind tool) {
     case app::ToolKind::Extrude:
     case app::ToolKind::Spin:
     case app::ToolKind::Layers:
+    case app::ToolKind::Primitive:
       return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "web/edit/editing.h"
+#include "web/edit/shaping.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
@@ -225,6 +226,17 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
 /// In a lower view a pill would cover what it is about; the status line says it, too.
 constexpr double kPillRoom = 200;
 
+/// Of the tool Shapes.
+const char* shapeHint(const PanelEnv& env) {
+  const document::Part* part = env.selected();
+  const document::ShapeRecipe* shape = part ? document::shapeOf(*part) : nullptr;
+  if (shape == nullptr) return "Drag the shape from one end to the other, or tap a thing";
+  const auto seen = app::shapeInHand(env.document(), env.ui());
+  if (!seen) return shape->picture == env.ui().picture ? "" : "Say above from where this picture looks";
+  const bool drawn = std::ranges::count(shape->outlines, seen->picture, &document::Outline::picture) > 0;
+  return drawn ? "" : seen->view ? "Draw round the shape as it is seen here" : "Draw along its edge to change it";
+}
+
 /// What one may do in the picture next, of what the tool in use is for; empty: it is known.
 const char* hintFor(const PanelEnv& env) {
   const app::Rect& view = env.ui().layout.picture;
@@ -239,6 +251,7 @@ const char* hintFor(const PanelEnv& env) {
   if (tool == app::ToolKind::Spin && !part && !drawing) return "Draw one side of a thing beside the dashed line";
   const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
   if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
+  if (tool == app::ToolKind::Primitive && !drawing && !env.ui().cut) return shapeHint(env);
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
   const bool posed = rib && part && !document::loftIn(*part).pose.isRest();
   return posed && view.height > 300 ? "Ribs are changed where they were drawn" : "";
@@ -300,13 +313,13 @@ void drawViewChrome(const PanelEnv& env) {
                          : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
   chip(env, layout.solid, solid, !onPicture);
   // The most used first. Fingers pinch: they need no zoom buttons.
-  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "spin", "layers", "hand", "fit"};
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "shapes", "spin", "layers", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
-  constexpr app::CommandId kPictureFew[] = {"draw", "puff",   "ribs", "bone",         "sheet", "shape",
-                                            "spin", "layers", "hand", "ignore-edges", "fit"};
-  constexpr app::CommandId kPictureAll[] = {"draw",  "puff", "sheet",        "spin", "layers",   "hand",   "ribs",
-                                            "shape", "bone", "ignore-edges", "fit",  "zoom-out", "zoom-in"};
+  constexpr app::CommandId kPictureFew[] = {"draw",   "puff", "ribs",   "bone", "sheet",        "shape",
+                                            "shapes", "spin", "layers", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw", "puff",  "sheet", "shapes",       "spin", "layers",   "hand",
+                                            "ribs", "shape", "bone",  "ignore-edges", "fit",  "zoom-out", "zoom-in"};
   constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
   constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;

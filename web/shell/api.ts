@@ -76,6 +76,18 @@ export interface Placement {
   degrees: [number, number, number];
 }
 
+/** A ball, a box or another shape; pixels of its picture, outlines of theirs. */
+export interface ShapeInfo {
+  /** 'ball', 'egg', 'box', 'cylinder', 'capsule', 'cone', 'pyramid' or 'half-ball'. */
+  kind: string;
+  axis: PicturePoint[];
+  width: number;
+  /** 'round': everywhere `ratio` times as deep as wide; 'kept': as deep as it was before an outline was drawn. */
+  depth: 'round' | 'kept';
+  ratio: number;
+  outlines: { picture: number; lines: PicturePoint[][] }[];
+}
+
 /** The bones found in the outline of a puff with a slice, as changed by hand; picture pixels. */
 export interface PuffBones {
   ends: number;
@@ -97,8 +109,8 @@ export interface PuffBones {
 export interface Part {
   id: number;
   name: string;
-  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece, 'lathe' = a line turned about an axis. */
-  kind: 'loft' | 'puff' | 'sheet' | 'lathe';
+  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece, 'lathe' = a line turned about an axis, 'stack' = closed lines above each other, 'shape' = a ball, a box or another shape. */
+  kind: 'loft' | 'puff' | 'sheet' | 'lathe' | 'stack' | 'shape';
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */
@@ -118,6 +130,8 @@ export interface Part {
   bone: PicturePoint[];
   /** Of a puff with a slice. */
   bones: PuffBones | null;
+  /** Of a shape. */
+  shape: ShapeInfo | null;
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
@@ -154,6 +168,11 @@ export interface PictureInfo {
   height: number;
   /** True for paper that is drawn on with the pen. */
   sketch: boolean;
+}
+
+export interface ListedPicture extends PictureInfo {
+  /** What it shows of another picture: from where it looks, and how its pixels lie in the space of that one (method-shapes.md). */
+  view: { of: number; from: 'right' | 'left' | 'back' | 'top'; middle: number; scale: number; shift: number } | null;
 }
 
 export interface ShownPicture extends PictureInfo {
@@ -233,7 +252,7 @@ export interface State {
   /** Number of pictures on the board. */
   pictures: number;
   /** All of them, in the order of the picture strip. */
-  pictureList: PictureInfo[];
+  pictureList: ListedPicture[];
   /** What pen and eraser are set to, how many points the stroke in hand has, and whether a menu of theirs is open. */
   pen: { size: PenSize; eraser: PenSize; colour: string; points: number | null; menu: boolean };
   parts: Part[];
@@ -254,7 +273,7 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes' */
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
@@ -272,6 +291,12 @@ export interface State {
   } | null;
   /** What the tool 'bone' can take hold of on a puff with a slice, in CSS pixels of the canvas: ends and forks, knobs for its thickness, places of slices, bones, and those left out. */
   boneHandles: { hold: 'node' | 'knob' | 'slice' | 'bone' | 'gone'; at: [number, number] }[];
+  /** What the tool 'shapes' draws next: a key as of ShapeInfo.kind. */
+  nextShape: string;
+  /** The outline of the shape that it has in hand, pixels of the picture in view; empty: none is in hand. */
+  shapeOutline: PicturePoint[];
+  /** What it can take hold of there, in CSS pixels of the canvas: both ends of the axis, the middle, the width; in a side picture the depth. */
+  shapeHandles: { hold: 'from' | 'to' | 'middle' | 'width' | 'depth'; at: [number, number] }[];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */
@@ -309,7 +334,13 @@ export interface State {
     mark: number;
   };
   /** What the arrow keys move. */
-  chosen: { end: RibEnd | null; handle: number; boneHandle: number; outline: [number, number] | null };
+  chosen: {
+    end: RibEnd | null;
+    handle: number;
+    boneHandle: number;
+    shapeHandle: number;
+    outline: [number, number] | null;
+  };
   /** Rib ends that the line in hand moves. */
   touched: RibEnd[];
   /** How the tools work; reaches are shares of the bone's length, the brush is in CSS pixels. */

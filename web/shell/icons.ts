@@ -134,6 +134,8 @@ import {
   Snail,
   Squirrel,
   Turtle,
+  Columns2,
+  Cone,
   Users,
   Worm,
 } from 'lucide-static';
@@ -153,6 +155,8 @@ const kIcons: Record<string, string> = {
   squirrel: Squirrel,
   turtle: Turtle,
   users: Users,
+  cone: Cone,
+  'columns-2': Columns2,
   worm: Worm,
   camera: Camera,
   check: Check,

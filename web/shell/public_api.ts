@@ -50,7 +50,7 @@ const kBeforeReady: State = {
   gizmo: null,
   modes: ['model'],
   hover: { part: null, end: null, other: -1, handle: -1, bone: false, depth: -1, mark: -1 },
-  chosen: { end: null, handle: -1, boneHandle: -1, outline: null },
+  chosen: { end: null, handle: -1, boneHandle: -1, shapeHandle: -1, outline: null },
   touched: [],
   options: {
     ribReach: 0.06,
@@ -67,6 +67,9 @@ const kBeforeReady: State = {
   axis: null,
   sheet: null,
   boneHandles: [],
+  nextShape: 'ball',
+  shapeOutline: [],
+  shapeHandles: [],
   undo: 0,
   redo: 0,
   history: { bytes: 0, budget: 0 },

@@ -11,6 +11,7 @@
 #include "web/edit/puff_bones.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
+#include "web/edit/shaping.h"
 #include "web/edit/spinning.h"
 #include "web/tools/sheet_tool.h"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double kPointSpacing = 1.5;  // CSS pixels between the points of a stroke
 constexpr double kLineReach = 8;       // CSS pixels round a spine that still count as it
+constexpr double kOutlineReach = 1.3;  // of that round a point, round the outline of a shape
 
 double reachOf(const ToolEvent& event) { return event.touch() ? kTouchReach : kMouseReach; }
 
@@ -70,6 +72,17 @@ void pickSpine(const app::Subject& subject, PicturePoint p, double reach, double
   hover.spine = hover.handle < 0 && toPolyline(p, app::spineLine(subject)) <= lineReach;
 }
 
+/// Of the shape in hand: a handle, or its outline. Picture pixels.
+struct ShapeReach {
+  double handle = 0, outline = 0;
+};
+void pickShape(const ToolEnv& env, PicturePoint p, const ShapeReach& reach, app::Hover& hover) {
+  const auto seen = app::shapeInHand(env.document, env.ui);
+  if (!seen) return;
+  hover.shape = app::shapeHandleAt(app::shapeHandles(*seen), p, reach.handle);
+  hover.outlineOfShape = hover.shape < 0 && app::drawsOutline(*seen, p, reach.outline);
+}
+
 }  // namespace
 
 app::Subject editedPart(const ToolEnv& env) {
@@ -106,6 +119,8 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   if (const app::BonedPuff puff = app::bonesInHand(env.document, env.derived, ui)) {
     const double lineReach = std::max(kLineReach, reachOf(event) * 0.7);
     hover.bone = app::boneAt(app::boneHandles(puff), ui, event.at, reachOf(event), lineReach);
+  } else if (ui.tool == ToolKind::Primitive) {
+    pickShape(env, p, {reach, kOutlineReach * reach}, hover);
   } else if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (app::drawsRegions(ui.tool)) {
@@ -182,6 +197,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     case ToolKind::Spin:
       if (ui.cut) return "cell";
       return hover.outline || hover.axis >= 0 ? "grab" : "crosshair";
+    case ToolKind::Primitive:
+      return hover.shape >= 0 ? "grab" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";
     default:

@@ -6,6 +6,7 @@
 #include "web/tools/ignore_tool.h"
 #include "web/tools/pan_picture.h"
 #include "web/tools/place_tool.h"
+#include "web/tools/primitive_tool.h"
 #include "web/tools/region_tool.h"
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
@@ -34,6 +35,8 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
     case ToolKind::Extrude:
     case ToolKind::Spin:
       return std::make_unique<RegionTool>();
+    case ToolKind::Primitive:
+      return std::make_unique<PrimitiveTool>();
     case ToolKind::Pen:
     case ToolKind::Eraser:
       return std::make_unique<SketchPen>(kind == ToolKind::Eraser);

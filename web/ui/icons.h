@@ -132,6 +132,8 @@ inline constexpr std::array kIcons = {
     Icon{"chevron-up", 57456},
     Icon{"chevron-down", 57453},
     Icon{"users", 57764},
+    Icon{"cone", 58659},
+    Icon{"columns-2", 57496},
 };
 
 /// 0 for a name that is not in the table.

@@ -8,7 +8,8 @@ namespace spineloft::app {
 
 std::string_view toolKey(ToolKind tool) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(ToolKind::kCount)> kKeys = {
-      "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin", "layers"};
+      "draw",  "hand", "ribs",   "shape", "bone", "ignore", "puff",
+      "sheet", "pen",  "eraser", "move",  "spin", "layers", "shapes"};
   return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
 }
 
@@ -33,6 +34,7 @@ void resetNextPart(UiState& ui) {
   ui.inflate = fresh.inflate;
   ui.extrude = fresh.extrude;
   ui.lathe = fresh.lathe;
+  ui.primitive = fresh.primitive;
   ui.axisOf = {};
   ui.layers = {};
   ui.secondColour = fresh.secondColour;

@@ -32,23 +32,24 @@ struct CommandEnv;
 using Answers = std::map<std::string, std::function<Outcome(const CommandEnv&, const std::string&)>, std::less<>>;
 
 enum class ToolKind : std::uint8_t {
-  Draw,     ///< a new part, or a new line for one
-  Hand,     ///< moves the picture
-  Ribs,     ///< drags rib ends, adds, deletes, locks ribs
-  Shape,    ///< a line that nearby rib ends grow or shrink to
-  Spine,    ///< moves, bends and extends the spine; a new stroke reposes; of a puff it edits the bones
-  Ignore,   ///< scribbles over edges that do not count
-  Inflate,  ///< a line round a thing: it swells
-  Extrude,  ///< the same: a flat piece
-  Pen,      ///< draws on a sketch
-  Eraser,   ///< paper again
-  Place,    ///< moves, turns and scales parts in the solid view
-  Spin,     ///< a line beside an axis: it is turned about it
-  Layers,   ///< closed lines on a sheet in the solid view, one above the other
+  Draw,       ///< a new part, or a new line for one
+  Hand,       ///< moves the picture
+  Ribs,       ///< drags rib ends, adds, deletes, locks ribs
+  Shape,      ///< a line that nearby rib ends grow or shrink to
+  Spine,      ///< moves, bends and extends the spine; a new stroke reposes; of a puff it edits the bones
+  Ignore,     ///< scribbles over edges that do not count
+  Inflate,    ///< a line round a thing: it swells
+  Extrude,    ///< the same: a flat piece
+  Pen,        ///< draws on a sketch
+  Eraser,     ///< paper again
+  Place,      ///< moves, turns and scales parts in the solid view
+  Spin,       ///< a line beside an axis: it is turned about it
+  Layers,     ///< closed lines on a sheet in the solid view, one above the other
+  Primitive,  ///< shapes: from one end of the axis to the other; their handles and outlines
   kCount
 };
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin",
-/// "layers".
+/// "layers", "shapes".
 std::string_view toolKey(ToolKind tool);
 /// What it draws is a part that is made of a region.
 constexpr bool drawsRegions(ToolKind tool) {
@@ -167,6 +168,8 @@ struct Hover {
   SheetHold sheet = SheetHold::Nothing;
   int bone = -1;                     ///< of boneHandles of the selected puff
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
+  int shape = -1;                    ///< of shapeHandles of the shape in hand
+  bool outlineOfShape = false;       ///< a line from here redraws its outline
   std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
@@ -178,6 +181,7 @@ struct Chosen {
   int handle = -1;
   std::optional<OutlinePoint> outline = {};  ///< of what is made of a region
   int bone = -1;                             ///< of boneHandles of a puff
+  int shape = -1;                            ///< of shapeHandles of a shape
   bool operator==(const Chosen&) const = default;
 };
 
@@ -320,6 +324,7 @@ struct UiState {
   inflate::InflateParams inflate;
   extrude::ExtrudeParams extrude;
   lathe::LatheParams lathe;
+  shape::Primitive primitive = shape::Primitive::Ball;
   PictureId axisOf;  ///< the picture whose axis `lathe` has; others have theirs in the middle (see spinning.h)
   std::optional<CutDraft> cut;  ///< what is being cut out of the picture
   CutBy cutBy = CutBy::Outline;
