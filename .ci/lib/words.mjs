@@ -17,6 +17,7 @@ const kEngineFiles = [
   'engine/sections/section.cpp',
   'engine/sections/drawing.cpp',
   'engine/printing/print_check.cpp',
+  'engine/shape/ready_shapes.cpp',
   'engine/surface/finish.cpp',
 ];
 /** The pages themselves. */

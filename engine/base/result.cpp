@@ -42,7 +42,7 @@ constexpr std::array kTexts = {
     ErrorText{Error::NotARegion, "NotARegion",
               "This part was drawn with a bone. Choose a puff, a flat piece or a spun part."},
     ErrorText{Error::NotAStack, "NotAStack", "This part has no layers. Choose one that was drawn with Layers."},
-    ErrorText{Error::NotAShape, "NotAShape", "This part is no shape. Choose a ball, a box or another shape."},
+    ErrorText{Error::NotAShape, "NotAShape", "This part is no shape. Choose a ball, a block or another shape."},
     ErrorText{Error::TooFewRibs, "TooFewRibs",
               "The part has fewer than two ribs. Draw a longer line through the object."},
     ErrorText{Error::SectionInvalid, "SectionInvalid",

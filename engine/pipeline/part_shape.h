@@ -134,11 +134,6 @@ Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size pi
 Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,
                                image::Size picture, const Clock& clock = {});
 
-/// The outline of a shape as a picture shows it, its own or one that is a side of that: one closed line. Errors: as of
-/// outlineStage.
-Result<std::vector<PicturePoint>> outlineIn(const document::ShapeRecipe& recipe, const document::Document& document,
-                                            PictureId picture);
-
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,
                             const Progress& progress, const Clock& clock = {});

@@ -9,6 +9,7 @@
 #include "engine/inflate/interior.h"
 #include "engine/lathe/lathe.h"
 #include "engine/pipeline/part_shape.h"
+#include "engine/pipeline/shape_outline.h"
 #include "engine/shape/shape.h"
 #include "engine/stack/stack.h"
 

@@ -8,21 +8,13 @@ namespace spineloft::shape {
 
 std::span<const PrimitiveName> primitiveNames() {
   static constexpr std::array kNames = {
-      PrimitiveName{Primitive::Ball, "ball", "Ball", 1},
-      PrimitiveName{Primitive::Egg, "egg", "Egg", 0.75},
-      PrimitiveName{Primitive::Box, "box", "Block", 1},
-      PrimitiveName{Primitive::Cylinder, "cylinder", "Cylinder", 0.6},
-      PrimitiveName{Primitive::Capsule, "capsule", "Capsule", 0.4},
-      PrimitiveName{Primitive::Cone, "cone", "Cone", 0.8},
-      PrimitiveName{Primitive::Pyramid, "pyramid", "Pyramid", 1},
-      PrimitiveName{Primitive::HalfBall, "half-ball", "Half ball", 2},
+      PrimitiveName{Primitive::Ball, "ball"},       PrimitiveName{Primitive::Egg, "egg"},
+      PrimitiveName{Primitive::Box, "box"},         PrimitiveName{Primitive::Cylinder, "cylinder"},
+      PrimitiveName{Primitive::Capsule, "capsule"}, PrimitiveName{Primitive::Cone, "cone"},
+      PrimitiveName{Primitive::Pyramid, "pyramid"}, PrimitiveName{Primitive::HalfBall, "half-ball"},
   };
   static_assert(kNames.size() == static_cast<std::size_t>(Primitive::kCount));
   return kNames;
-}
-
-const PrimitiveName& nameOf(Primitive primitive) {
-  return *std::ranges::find(primitiveNames(), primitive, &PrimitiveName::primitive);
 }
 
 bool isValid(const ShapeParams& p) {

@@ -15,16 +15,12 @@ namespace spineloft::shape {
 /// What a shape is before an outline says more. Values are saved in files: only ever append.
 enum class Primitive : std::uint8_t { Ball, Egg, Box, Cylinder, Capsule, Cone, Pyramid, HalfBall, kCount };
 
-/// What a primitive is called, and how wide it is where nobody says it.
+/// What a primitive is called in files and on the command line.
 struct PrimitiveName {
   Primitive primitive;
-  std::string_view key;    ///< in files and on the command line
-  std::string_view label;  ///< on the page
-  double width;            ///< share of the length of its axis
+  std::string_view key;
 };
 std::span<const PrimitiveName> primitiveNames();
-/// Its row.
-const PrimitiveName& nameOf(Primitive primitive);
 
 /// How deep a shape is where no outline in a second view says it. Values are saved in files: only ever append.
 enum class DepthMode : std::uint8_t {

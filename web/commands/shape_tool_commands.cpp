@@ -1,8 +1,11 @@
 // Commands of the tool Shapes: which primitive, handles by keys, lines at outlines, and pictures that are sides.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <string>
 
+#include "engine/geometry/polygon.h"
 #include "engine/io/json_fields.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
@@ -65,8 +68,8 @@ Outcome kindRow(Env env, const Json& args) {
   return choosePrimitive(env, primitive);
 }
 void kindChoices(Env env, JsonWriter& json) {
-  for (const shape::PrimitiveName& name : shape::primitiveNames()) {
-    writeChoice(json, name.key, name.label, name.primitive == env.ui.primitive);
+  for (const shape::ReadyShape& name : shape::readyShapes()) {
+    writeChoice(json, io::keyOf(name.primitive), name.label, name.primitive == env.ui.primitive);
   }
 }
 

@@ -282,7 +282,7 @@ document::ShapeRecipe nextShape(const UiState& ui, PicturePoint from, PicturePoi
   recipe.shape.primitive = ui.primitive;
   recipe.shape.axis = {from, straightened(to, from)};
   recipe.shape.width =
-      std::max(shape::kLeastWidth, shape::nameOf(ui.primitive).width * distance(from, recipe.shape.axis.to));
+      std::max(shape::kLeastWidth, shape::readyShape(ui.primitive).width * distance(from, recipe.shape.axis.to));
   return recipe;
 }
 

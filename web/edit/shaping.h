@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "engine/document/document.h"
-#include "engine/pipeline/part_shape.h"
+#include "engine/pipeline/shape_outline.h"
+#include "engine/shape/ready_shapes.h"
 #include "engine/shape/shape.h"
 #include "web/ui/ui_state.h"
 

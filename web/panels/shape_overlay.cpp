@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -55,7 +56,7 @@ void handle(ImDrawList& list, ImVec2 at, app::ShapeHold hold, bool hot, bool cho
 /// The primitive from the front, upright, with a line that shows its section.
 void paintPrimitive(ImDrawList& list, const SectionFrame& frame, shape::Primitive primitive, ImU32 ink) {
   constexpr int kPoints = 32;
-  const double width = shape::nameOf(primitive).width, size = 1 / std::max(1.0, width);
+  const double width = shape::readyShape(primitive).width, size = 1 / std::max(1.0, width);
   const auto half = [&](double share) { return size * width * shape::halfWidthOf(primitive, share, width / 2); };
   const auto height = [&](double share) { return size * (2 * share - 1); };
   std::vector<SectionPoint> line;
@@ -64,7 +65,7 @@ void paintPrimitive(ImDrawList& list, const SectionFrame& frame, shape::Primitiv
     const double share = i <= kPoints ? turn : 1 - turn;
     line.push_back({(i <= kPoints ? 1 : -1) * half(share), height(share)});
   }
-  paintOutlines(list, frame, std::vector{line}, {ink, faded(ink, 40), 1.8f});
+  paintOutlines(list, frame, std::array{line}, {ink, faded(ink, 40), 1.8f});
   const bool square = shape::sectionOf(primitive) == sections::SectionPreset::Square;
   std::vector<SectionPoint> section;
   if (square) {
@@ -119,9 +120,9 @@ void sideTiles(const PanelEnv& env, const Grid& grid, bool words) {
 
 void primitiveTiles(const PanelEnv& env, const PrimitiveTiles& tiles) {
   int count = 0;
-  for (const shape::PrimitiveName& name : shape::primitiveNames()) {
+  for (const shape::ReadyShape& name : shape::readyShapes()) {
     if (count++ % tiles.columns != 0) ImGui::SameLine();
-    const std::string id = "shape-" + std::string(name.key);
+    const std::string id = "shape-" + std::string(io::keyOf(name.primitive));
     const auto paint = [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
       paintPrimitive(list, {centre, radius}, name.primitive, ink);
     };
@@ -166,7 +167,7 @@ double shapeCard(const PanelEnv& env, const app::Rect& room) {
   const app::UiState& ui = env.ui();
   if (ui.tool != app::ToolKind::Primitive) return 0;
   const bool side = app::shapeElsewhere(env.document(), ui) != nullptr;
-  const int count = side ? static_cast<int>(app::sideNames().size()) : static_cast<int>(shape::primitiveNames().size());
+  const int count = side ? static_cast<int>(app::sideNames().size()) : static_cast<int>(shape::readyShapes().size());
   const double wide = side ? 84 : 58, inside = room.width - 2 * kPadding;
   const auto needs = [&](int columns, double cell) { return columns * (cell + kGap) - kGap; };
   // One row with words; on a small view two rows of words, or a row of pictures.

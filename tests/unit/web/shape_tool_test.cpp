@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "engine/io/json_fields.h"
 #include "engine/io/share_text.h"
 #include "engine/mesh/laws.h"
 #include "engine/pipeline/part_shape.h"
@@ -114,10 +115,10 @@ double overlap(const std::vector<PicturePoint>& a, const std::vector<PicturePoin
 
 TEST_CASE("a drag makes the chosen shape from one end of its axis to the other, in one step; the solid follows") {
   for (const platform::Device device : kDevices) {
-    for (const shape::PrimitiveName& name : shape::primitiveNames()) {
-      CAPTURE(name.key);
+    for (const shape::ReadyShape& name : shape::readyShapes()) {
+      CAPTURE(name.label);
       Shapes rig;
-      REQUIRE(rig.works("shape-kind", R"({"kind": ")" + std::string(name.key) + "\"}"));
+      REQUIRE(rig.works("shape-kind", R"({"kind": ")" + std::string(io::keyOf(name.primitive)) + "\"}"));
       const double undo = rig.undoSteps();
       rig.draw({{200, 240}, {200, 150}, {201, 60}}, device);
       CHECK(rig.middle > 100);
@@ -130,7 +131,7 @@ TEST_CASE("a drag makes the chosen shape from one end of its axis to the other, 
       const document::Document document = rig.document();
       const auto mesh = pipeline::outlineStage(made, document, {400, 300});
       REQUIRE(mesh.ok());
-      testing::checkLaws(mesh.value().mesh);
+      testing::requireLawful(mesh.value().mesh);
       REQUIRE(rig.works("undo"));
       CHECK(rig.parts() == 0);
     }
@@ -274,7 +275,7 @@ TEST_CASE("a picture becomes the side, and the first outline drawn there aligns 
     const document::ShapeRecipe made = rig.last();
     const auto solid = pipeline::outlineStage(made, rig.document(), {400, 300});
     REQUIRE(solid.ok());
-    testing::checkLaws(solid.value().mesh);
+    testing::requireLawful(solid.value().mesh);
     float deep = 0;
     for (const auto& p : solid.value().mesh.positions) deep = std::max(deep, std::abs(p.z));
     CHECK(deep == doctest::Approx(40).epsilon(0.03));
