@@ -131,6 +131,18 @@ void sideChoices(Env env, JsonWriter& json) {
   writeChoice(json, "none", "No side", !now);
 }
 
+/// What is drawn in a picture says something else once the picture looks from elsewhere.
+void dropOutlines(const document::Document& document, PictureId picture, std::vector<document::Action>& actions) {
+  for (const document::Part& part : document.parts) {
+    const document::ShapeRecipe* shape = document::shapeOf(part);
+    if (shape == nullptr || shape->picture == picture) continue;
+    std::vector<document::Outline> kept = shape->outlines;
+    if (std::erase_if(kept, [&](const document::Outline& outline) { return outline.picture == picture; }) == 0)
+      continue;
+    actions.push_back(document::SetOutlines{part.id, std::move(kept)});
+  }
+}
+
 constexpr Argument kBy{"by"};
 constexpr std::string_view kArrows =
     "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
@@ -260,9 +272,19 @@ Outcome setSidePicture(Env env, PictureId picture, std::optional<geometry::ViewF
     front = other == document.pictures.end() ? nullptr : &static_cast<const document::PictureEntry&>(*other);
   }
   if (front == nullptr) return refuse({Error::NoSuchPicture, {}});
-  const geometry::View view = plainView(*from, front->size, side->size);
-  const Status status = env.studio.act(document::SetView{picture, document::PictureView{front->id, view}});
-  if (!status) return refuse(status.failure());
+  std::vector<document::Action> actions;
+  geometry::View view = plainView(*from, front->size, side->size);
+  const auto isAside = [](geometry::ViewFrom one) {
+    return one == geometry::ViewFrom::Right || one == geometry::ViewFrom::Left;
+  };
+  if (side->view && side->view->of == front->id && isAside(*from) && isAside(side->view->view.from)) {
+    view = side->view->view;  // only the other way round: what is drawn stays
+    view.from = *from;
+  } else {
+    dropOutlines(document, picture, actions);
+  }
+  actions.push_back(document::SetView{picture, document::PictureView{front->id, view}});
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
   env.ui.tool = ToolKind::Primitive;
   featureAt(env.ui, picture);
   env.ui.focus = Focus::Picture;
