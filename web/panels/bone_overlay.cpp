@@ -19,7 +19,7 @@ namespace {
 
 ImVec2 toVec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-void drawLine(ImDrawList& list, const app::UiState& ui, const app::BoneHandle& bone, bool hot) {
+void drawBone(ImDrawList& list, const app::UiState& ui, const app::BoneHandle& bone, bool hot) {
   const bool gone = bone.hold == app::BoneHold::Gone;
   if (gone) {
     picturePolyline(list, ui, bone.line, {faded(kHalo, hot ? 255 : 190), 5.f});
@@ -110,7 +110,7 @@ void drawBones(const PanelEnv& env) {
     switch (handle.hold) {
       case app::BoneHold::Gone:
       case app::BoneHold::Bone:
-        drawLine(list, ui, handle, hot);
+        drawBone(list, ui, handle, hot);
         break;
       case app::BoneHold::Node:
         drawNode(list, onCanvas(ui, handle.at), hot, chosen);

@@ -55,7 +55,7 @@ struct Desk {
             platform::Device::Pen};
   }
   void press() {
-    tool = tools::pictureTool(ToolKind::Draw);
+    tool = tools::pictureTool(env(), ToolKind::Draw);
     tool->begin(env(), event(40));
   }
   /// A move, and the shape that the next frame draws.

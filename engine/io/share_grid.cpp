@@ -1,0 +1,310 @@
+#include "engine/io/share_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "engine/geometry/polyline.h"
+#include "engine/io/document_json.h"
+#include "engine/io/foretold.h"
+#include "engine/io/share_text.h"
+#include "engine/ribs/base/spine.h"
+#include "engine/ribs/edit/end_curves.h"
+#include "engine/ribs/edit/places.h"
+
+namespace spineloft::io {
+namespace {
+
+using document::Document;
+
+/// Numbers of no other meaning keep this many decimal digits: unit vectors stay of length 1 to within 1e-6.
+constexpr int kDigits = 7;
+/// Pressures of a pen are multiples of 1 / this.
+constexpr float kPressures = 32;
+/// Places along a spine are multiples of 1 / this.
+constexpr double kPlaces = 4096;
+
+/// Rounds places on one picture.
+class Grid {
+ public:
+  explicit Grid(image::Size size) : size_(size), step_(shareStep(size)) {}
+  image::Size size() const { return size_; }
+  double operator()(double value) const { return std::round(value / step_) * step_; }
+  PicturePoint operator()(PicturePoint p) const { return {(*this)(p.x), (*this)(p.y)}; }
+  std::vector<PicturePoint> rounded(std::vector<PicturePoint> line) const {
+    for (PicturePoint& p : line) p = (*this)(p);
+    return line;
+  }
+  /// Rounded, and simplified where that is shorter in a text: what has been through it stays as it is.
+  std::vector<PicturePoint> operator()(const std::vector<PicturePoint>& line) const {
+    const std::vector<PicturePoint> all = rounded(line);
+    const std::vector<PicturePoint> few = geometry::simplifiedLine(std::span(all), tolerance());
+    return bits(all) < bits(few) ? all : few;
+  }
+  double tolerance() const { return step_ / 2; }
+  /// For what is not simplified besides.
+  double alone() const { return 2 * step_; }
+  double alone(double value) const { return std::round(value / alone()) * alone(); }
+
+ private:
+  std::size_t bits(const std::vector<PicturePoint>& line) const { return lineCost(line, size_); }
+
+  image::Size size_;
+  double step_;
+};
+
+image::SketchStroke kept(const image::SketchStroke& stroke, const Grid& grid) {
+  image::SketchStroke out = stroke;
+  const std::vector<PicturePoint> points = grid.rounded(stroke.points);
+  out.points.clear();
+  out.pressure.clear();
+  for (const std::size_t i : geometry::keptPoints(std::span(points), grid.tolerance())) {
+    out.points.push_back(points[i]);
+    if (i < stroke.pressure.size()) out.pressure.push_back(std::round(stroke.pressure[i] * kPressures) / kPressures);
+  }
+  return out;
+}
+
+void keepMarks(std::vector<ribs::IgnoreMark>& marks, const Grid& grid) {
+  for (ribs::IgnoreMark& mark : marks) mark.stroke = grid(mark.stroke);
+}
+
+void keepRegion(document::Region& region, const Grid& grid) {
+  for (std::vector<PicturePoint>& contour : region.contours) contour = grid(contour);
+}
+/// In a text the place of the i-th rib is this and i: the spine tells where it is.
+constexpr double kFirstRib = 2;
+
+/// Ends of so many ribs in a text are told beside curves, those of the first parts; others in the frame of the spine.
+/// This bounds the time that a text takes, whoever wrote it.
+struct TracedRibs {
+  std::size_t left = 20000;
+};
+
+/// What the ends of a part's ribs are told by; without ribs where the stroke gives no spine.
+class RibsOfText {
+ public:
+  RibsOfText(const document::LoftRecipe& recipe, image::Size picture, TracedRibs& traced) {
+    const auto spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
+    if (!spine) return;
+    const ribs::Ruler ruler(spine.value().points);
+    for (std::size_t i = 0; i < spine.value().points.size(); ++i) places_.push_back(ruler.placeOfPoint(i));
+    if (places_.size() > traced.left) return;
+    traced.left -= places_.size();
+    curves_.emplace(spine.value(), picture);
+  }
+  /// As a text says it: with a place of a grid, or at the rib that is the nearest to this, beside its curve.
+  void tell(ribs::EndEdit& end, const Grid& grid) const {
+    end.at = std::round(end.at * kPlaces) / kPlaces;
+    const auto above = std::ranges::lower_bound(places_, end.at - 0.5 / kPlaces);
+    if (above != places_.end() && *above <= end.at + 0.5 / kPlaces) {
+      const auto rib = static_cast<std::size_t>(above - places_.begin());
+      end.at = kFirstRib + static_cast<double>(rib);
+      if (curves_) {
+        const ribs::EndOnCurve told = curves_->tell(rib, end, grid.alone());
+        end.along = told.beside;
+        end.out = told.length;
+      }
+    }
+    end.along = grid.alone(end.along);
+    end.out = grid.alone(end.out);
+  }
+  /// The end that a text of this version says.
+  void find(ribs::EndEdit& end, int version) const {
+    const double rib = end.at - kFirstRib;
+    if (!(rib >= 0 && rib < static_cast<double>(places_.size()))) return;
+    const auto i = static_cast<std::size_t>(rib);
+    end.at = places_[i];
+    if (curves_ && version >= kFirstOnCurves) curves_->put(i, {end.along, end.out}, end);
+  }
+
+ private:
+  std::vector<double> places_;
+  std::optional<ribs::EndCurves> curves_;
+};
+
+void keep(document::LoftRecipe& recipe, const Grid& grid) {
+  recipe.stroke = grid(recipe.stroke);
+  keepMarks(recipe.ignored, grid);
+}
+/// As a text says the ends of a kept recipe.
+void tellEnds(document::LoftRecipe& recipe, const Grid& grid, TracedRibs& traced) {
+  if (recipe.edits.ends.empty()) return;
+  const RibsOfText row(recipe, grid.size(), traced);
+  for (ribs::EndEdit& end : recipe.edits.ends) {
+    end.reach = std::round(end.reach * kPlaces) / kPlaces;
+    row.tell(end, grid);
+  }
+}
+void keep(document::InflateRecipe& recipe, const Grid& grid) {
+  keepRegion(recipe.region, grid);
+  for (inflate::ProfileSlice& slice : recipe.inflate.profile.slices) {
+    if (slice.at) slice.at = grid(*slice.at);
+  }
+}
+void keep(document::ExtrudeRecipe& recipe, const Grid& grid) { keepRegion(recipe.region, grid); }
+void keep(document::StackRecipe& recipe, const Grid& grid) {
+  const auto rounded = [&](ModelPoint& p) { p = {grid(p.x), grid(p.y), grid(p.z)}; };
+  for (stack::Plane& plane : recipe.planes) {
+    if (plane.origin) rounded(*plane.origin);
+    for (stack::Curve& curve : plane.curves) {
+      for (SectionPoint& p : curve.through) p = {grid(p.x), grid(p.y)};
+    }
+  }
+  for (ModelPoint& p : recipe.rail.points) rounded(p);
+}
+/// Outlines are on grids of their own pictures.
+void keep(document::ShapeRecipe& recipe, const Grid& grid) {
+  document::ShapeRecipe kept = recipe;
+  kept.shape.axis = {grid(recipe.shape.axis.from), grid(recipe.shape.axis.to)};
+  kept.shape.width = grid(recipe.shape.width);
+  if (isValid(kept.shape)) recipe = std::move(kept);
+}
+void keep(document::LatheRecipe& recipe, const Grid& grid) {
+  keepRegion(recipe.region, grid);
+  recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);
+  recipe.lathe.axisTo = grid(recipe.lathe.axisTo);
+}
+
+double withDigits(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const int digits = kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double scale = std::pow(10.0, std::min(digits, 9));
+  const double out = std::round(value * scale) / scale;
+  return std::isfinite(out) ? out : value;
+}
+
+/// About so many quarters of a bit numbers of the grid take, from the third one on.
+std::size_t listCost(std::span<const double> numbers, double step) {
+  std::vector<std::int64_t> whole;
+  for (const double number : numbers) whole.push_back(std::llround(std::clamp(number / step, -1e15, 1e15)));
+  std::uint64_t all = 0;
+  for (const std::int64_t number : whole) all |= static_cast<std::uint64_t>(number);
+  const int zeros = all == 0 ? 0 : std::countr_zero(all);
+  for (std::int64_t& number : whole) number /= std::int64_t{1} << zeros;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const Mode& mode : kModes) {
+    std::size_t sum = 0;
+    for (std::size_t i = 2; i < whole.size(); ++i) {
+      const std::int64_t off = whole[i] - foretold(mode, std::span(whole).first(i), whole.size());
+      sum += off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
+    }
+    least = std::min(least, sum);
+  }
+  return least;
+}
+
+}  // namespace
+
+double shareStep(image::Size picture) {
+  const int side = std::max({picture.width, picture.height, 1024});
+  return std::exp2(std::floor(std::log2(side / 1024.0))) / 4;
+}
+
+std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture) {
+  std::vector<double> numbers;
+  for (const PicturePoint p : line) numbers.insert(numbers.end(), {p.x, p.y});
+  return listCost(numbers, shareStep(picture));
+}
+
+std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture) {
+  const Grid grid(picture);
+  document::LoftRecipe told = recipe;
+  TracedRibs traced;
+  tellEnds(told, grid, traced);
+  std::vector<double> along, out;
+  for (const ribs::EndEdit& end : told.edits.ends) {
+    along.push_back(end.along);
+    out.push_back(end.out);
+  }
+  return listCost(along, grid.alone()) + listCost(out, grid.alone());
+}
+
+std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {
+  return Grid(picture)(line);
+}
+
+Document onGrids(const Document& document) {
+  Document rounded = document;
+  TracedRibs traced;
+  std::map<std::uint32_t, Grid> grids;
+  for (Box<document::PictureEntry>& box : rounded.pictures) {
+    document::PictureEntry entry = box.get();
+    const Grid& grid = grids.try_emplace(entry.id.value, entry.size).first->second;
+    for (Box<image::SketchStroke>& stroke : entry.sketch) stroke = kept(stroke.get(), grid);
+    keepMarks(entry.ignored, grid);
+    box = std::move(entry);
+  }
+  for (Box<document::Part>& box : rounded.parts) {
+    document::Part part = box.get();
+    const auto grid = grids.find(document::pictureOf(part).value);
+    if (grid == grids.end()) continue;
+    std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
+    if (document::LoftRecipe* loft = document::loftOf(part)) tellEnds(*loft, grid->second, traced);
+    if (document::ShapeRecipe* shape = document::shapeOf(part)) {
+      for (document::Outline& outline : shape->outlines) {
+        const auto own = grids.find(outline.picture.value);
+        if (own == grids.end()) continue;
+        for (auto& line : outline.lines) line = own->second(line);
+      }
+    }
+    box = std::move(part);
+  }
+  return rounded;
+}
+
+void roundNumbers(Json& json) {
+  if (json.is_number_float()) {
+    const double value = json.get<double>();
+    if (std::trunc(value * 4096) != value * 4096) json = toJson(withDigits(value));
+  }
+  if (json.is_structured()) {
+    for (Json& element : json) roundNumbers(element);
+  }
+}
+
+Json* listOf(Json& json, const char* key) {
+  if (!json.is_object()) return nullptr;
+  const auto at = json.find(key);
+  return at != json.end() && at->is_array() ? &*at : nullptr;
+}
+
+void findEnds(Json& json, int version) {
+  Json* parts = listOf(json, "parts");
+  const Json* pictures = listOf(json, kPicturesKey);
+  if (parts == nullptr || pictures == nullptr) return;
+  TracedRibs traced;
+  for (Json& part : *parts) {
+    const auto recipe = part.is_object() ? part.find("recipe") : part.end();
+    if (recipe == part.end() || !recipe->is_object()) continue;
+    const auto edits = recipe->find("edits");
+    Json* ends = edits != recipe->end() ? listOf(*edits, "ends") : nullptr;
+    if (ends == nullptr || ends->empty()) continue;
+    ReadNotes notes;
+    document::LoftRecipe loft;
+    Json stroke = {{"picture", recipe->value("picture", Json())}, {"stroke", recipe->value("stroke", Json())}};
+    if (recipe->contains("spine")) stroke["spine"] = (*recipe)["spine"];
+    read(stroke, loft, {notes, {}});
+    image::Size size;
+    for (const Json& picture : *pictures) {
+      std::uint32_t id = 0;
+      const bool ours = picture.is_object() && get(picture.value("id", Json()), id) && id == loft.picture.value;
+      if (ours) get(picture.value("size", Json()), size);
+    }
+    const RibsOfText row(loft, size, traced);
+    for (Json& end : *ends) {
+      ribs::EndEdit edit;
+      if (!get(end, edit)) continue;
+      row.find(edit, version);
+      end = toJson(edit);
+    }
+  }
+}
+
+}  // namespace spineloft::io
