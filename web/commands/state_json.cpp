@@ -231,7 +231,7 @@ void writeShapeInHand(JsonWriter& json, const CommandEnv& env) {
   json.key("shapeHandles").beginArray();
   for (const ShapeHandle& handle : seen ? shapeHandles(*seen) : std::vector<ShapeHandle>{}) {
     json.beginObject().key("hold").text(holdKey(handle.hold));
-    const ClientPoint at = env.ui.pictureView.toClient(handle.at, env.ui.layout.picture);
+    const ClientPoint at = env.ui.pictureView.toClient(heldAt(handle, env.ui.pictureView.zoom), env.ui.layout.picture);
     writeNumbers(json, "at", {at.x, at.y});
     json.endObject();
   }

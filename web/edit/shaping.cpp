@@ -19,6 +19,7 @@ namespace {
 constexpr double kStraight = 3;       // degrees
 constexpr double kWidest = 0.01;      // of the width: what is as wide as the widest place
 constexpr double kNearby = 0.15;      // of the smaller extent of an outline, that still is at it
+constexpr double kOff = 26;           // CSS pixels that a handle is off the outline
 constexpr double kShortest = 4;       // picture pixels of an axis
 constexpr double kFitSlack = 0.0015;  // of the size, by which the outline of a thing may be simplified
 
@@ -170,18 +171,25 @@ std::vector<ShapeHandle> shapeHandles(const SeenShape& seen) {
   if (seen.outline.empty()) return {};
   if (seen.view) {
     if (!showsDepth(seen)) return {};
-    return {{ShapeHold::Depth, farthest(seen.outline, [&](PicturePoint p) { return depthAt(seen, p); })}};
+    const PicturePoint nearer = geometry::inView(*seen.view, {0, 0, 1}) - geometry::inView(*seen.view, {});
+    return {{ShapeHold::Depth, farthest(seen.outline, [&](PicturePoint p) { return depthAt(seen, p); }),
+             normalized(nearer)}};
   }
   const auto& [from, to] = seen.recipe.shape.axis;
+  const auto [along, aside] = axesOf(seen.recipe);
   const PicturePoint width = farthest(seen.outline, [&](PicturePoint p) { return across(seen, p); });
-  return {
-      {ShapeHold::From, from}, {ShapeHold::To, to}, {ShapeHold::Middle, (from + to) / 2}, {ShapeHold::Width, width}};
+  return {{ShapeHold::From, from, along * -1.0},
+          {ShapeHold::To, to, along},
+          {ShapeHold::Middle, (from + to) / 2, {}},
+          {ShapeHold::Width, width, aside}};
 }
 
-int shapeHandleAt(const std::vector<ShapeHandle>& handles, PicturePoint p, double reach) {
+PicturePoint heldAt(const ShapeHandle& handle, double zoom) { return handle.at + handle.out * (kOff / zoom); }
+
+int shapeHandleAt(const std::vector<ShapeHandle>& handles, PicturePoint p, double zoom, double reach) {
   int best = -1;
   for (std::size_t i = 0; i < handles.size(); ++i) {
-    const double away = distance(handles[i].at, p);
+    const double away = distance(heldAt(handles[i], zoom), p) * zoom;
     if (away > reach) continue;
     reach = away;
     best = static_cast<int>(i);

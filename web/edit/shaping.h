@@ -45,12 +45,15 @@ std::string_view holdKey(ShapeHold hold);  ///< "from", "to", "middle", "width",
 
 struct ShapeHandle {
   ShapeHold hold = ShapeHold::From;
-  PicturePoint at;  ///< pixels of the picture in which it is seen
+  PicturePoint at;     ///< pixels of the picture in which it is seen
+  PicturePoint out{};  ///< the way in which it is held off the outline, of length 1; of the middle 0
 };
 /// In its own picture both ends, the middle and the width; in a side picture the depth.
 std::vector<ShapeHandle> shapeHandles(const SeenShape& seen);
-/// The one within `reach` picture pixels; −1 elsewhere.
-int shapeHandleAt(const std::vector<ShapeHandle>& handles, PicturePoint p, double reach);
+/// Where it is held: off the outline, so that a line may begin there. `zoom`: CSS pixels a picture pixel.
+PicturePoint heldAt(const ShapeHandle& handle, double zoom);
+/// The one that is held within `reach` CSS pixels of a point of the picture; −1 elsewhere.
+int shapeHandleAt(const std::vector<ShapeHandle>& handles, PicturePoint p, double zoom, double reach);
 /// What it is and what keys do with it, in the visitor's language.
 std::string shapeSentence(ShapeHold hold);
 

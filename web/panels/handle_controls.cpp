@@ -155,7 +155,8 @@ void shapes(const PanelEnv& env) {
       const double side = across ? entry->size.width : entry->size.height;
       const double share = 100 * (across ? handle.at.x : handle.at.y) / side;
       const PointControl what{"shape" + std::string(app::holdKey(handle.hold)) + (across ? "x" : "y"),
-                              words::tr(shapeWords(handle.hold, across)), onCanvas(env.ui(), handle.at)};
+                              words::tr(shapeWords(handle.hold, across)),
+                              onCanvas(env.ui(), app::heldAt(handle, env.ui().pictureView.zoom))};
       const auto asked = pointSlider(env, what, {0, 100, share, numberText("{n} %", share, 1)});
       if (!asked) continue;
       PicturePoint to = handle.at;

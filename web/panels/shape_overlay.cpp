@@ -158,7 +158,10 @@ void drawShapes(const PanelEnv& env) {
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const int number = static_cast<int>(i);
     const bool chosen = ui.chosen.shape == number, hot = chosen || ui.hover.shape == number;
-    handle(list, onCanvas(ui, handles[i].at), handles[i].hold, hot, chosen);
+    const ImVec2 foot = onCanvas(ui, handles[i].at), head = onCanvas(ui, app::heldAt(handles[i], ui.pictureView.zoom));
+    styledLine(list, foot, head, {rgb(0xffffff, 190), 4.5f, LineStyle::Solid});
+    styledLine(list, foot, head, {toolColour(ui.tool), 1.8f, LineStyle::Solid});
+    handle(list, head, handles[i].hold, hot, chosen);
   }
 }
 

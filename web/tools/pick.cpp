@@ -72,14 +72,15 @@ void pickSpine(const app::Subject& subject, PicturePoint p, double reach, double
   hover.spine = hover.handle < 0 && toPolyline(p, app::spineLine(subject)) <= lineReach;
 }
 
-/// Of the shape in hand: a handle, or its outline. Picture pixels.
+/// Of the shape in hand: a handle, CSS pixels, or its outline, picture pixels.
 struct ShapeReach {
   double handle = 0, outline = 0;
 };
 void pickShape(const ToolEnv& env, PicturePoint p, const ShapeReach& reach, app::Hover& hover) {
   const auto seen = app::shapeInHand(env.document, env.ui);
   if (!seen) return;
-  hover.shape = app::shapeHandleAt(app::shapeHandles(*seen), p, reach.handle);
+  const double zoom = env.ui.pictureView.zoom;
+  hover.shape = app::shapeHandleAt(app::shapeHandles(*seen), p, zoom, reach.handle);
   hover.outlineOfShape = hover.shape < 0 && app::drawsOutline(*seen, p, reach.outline);
 }
 
@@ -120,7 +121,7 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
     const double lineReach = std::max(kLineReach, reachOf(event) * 0.7);
     hover.bone = app::boneAt(app::boneHandles(puff), ui, event.at, reachOf(event), lineReach);
   } else if (ui.tool == ToolKind::Primitive) {
-    pickShape(env, p, {reach, kOutlineReach * reach}, hover);
+    pickShape(env, p, {reachOf(event), kOutlineReach * reach}, hover);
   } else if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (app::drawsRegions(ui.tool)) {

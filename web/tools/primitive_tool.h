@@ -1,5 +1,6 @@
 // Shapes on the picture: a drag makes one from one end of its axis to the other, a drag of a handle changes the one in
-// hand, a line at its outline redraws that; a tap fits one to a thing. The solid follows the pen.
+// hand, a line that begins at its outline or goes round it redraws that; a tap fits one to a thing. The solid follows
+// the pen.
 #pragma once
 
 #include <optional>
@@ -19,15 +20,17 @@ class PrimitiveTool final : public Tool {
 
  private:
   void drag(const ToolEnv& env, app::ClientPoint at);
-  void draw(const ToolEnv& env, app::ClientPoint at);
+  void draw(const ToolEnv& env);
   void lay(const ToolEnv& env, app::ClientPoint at);
-  void show(const ToolEnv& env, const document::ShapeRecipe& recipe) const;
+  bool goesRound() const;
   void tap(const ToolEnv& env) const;
   DragWatch watch_;
   std::optional<app::SeenShape> seen_;  ///< in hand when the press came
   std::optional<app::ShapeHandle> handle_;
-  int held_ = -1;                              ///< of shapeHandles
-  bool outline_ = false;                       ///< the line is for its outline
+  int held_ = -1;         ///< of shapeHandles
+  bool outline_ = false;  ///< the line is for its outline
+  bool begunAtOutline_ = false;
+  std::vector<PicturePoint> line_;             ///< from the press on
   std::optional<document::ShapeRecipe> made_;  ///< by a handle, or new: the last one that can be
 };
 
