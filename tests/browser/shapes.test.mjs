@@ -155,7 +155,7 @@ test('shapes by keyboard alone, and by a screen reader; a reload and the GLB hav
     await run(page, 'new-sketch', { width: 600, height: 450 });
     await idle(page);
     await page.locator('#canvas').focus();
-    await page.keyboard.press('z');
+    await page.keyboard.press('0');
     await idle(page);
     assert.equal((await state(page)).tool, 'shapes');
     await page.getByRole('button', { name: 'Cone', exact: true }).press('Enter');

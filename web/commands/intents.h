@@ -129,7 +129,7 @@ Outcome dragShape(const CommandEnv& env, PartId part, ShapeHold hold, PicturePoi
 Outcome chooseShapeHandle(const CommandEnv& env, int handle);
 /// What the thing at a place becomes: the outline of `part` in the picture in view; none: a new shape.
 Outcome fitShape(const CommandEnv& env, PicturePoint at, PartId part);
-/// The primitive of the next shape; what is in hand is let go of.
+/// The primitive of the next shape; a shape in hand is let go of.
 Outcome choosePrimitive(const CommandEnv& env, shape::Primitive primitive);
 /// The primitive of these shapes.
 Outcome setPrimitive(const CommandEnv& env, const Parts& parts, shape::Primitive primitive);

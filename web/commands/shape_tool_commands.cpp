@@ -150,7 +150,7 @@ constexpr std::string_view kArrows =
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "shapes", .label = "Shapes", .icon = "cone", .shortcut = "Z", .group = "tool",
+    Command{.id = "shapes", .label = "Shapes", .icon = "cone", .shortcut = "0", .group = "tool",
             .hint = "Drag a ball, a block or another shape onto the picture", .enabled = hasPicture,
             .toggled = shapesTool, .run = useShapes},
     Command{.id = "shape-kind", .label = "Which shape", .icon = "cone", .group = "part",
@@ -234,8 +234,11 @@ Outcome shapeOfThing(Env env, PartId id, const geometry::Contours& contours) {
 
 Outcome choosePrimitive(Env env, shape::Primitive primitive) {
   env.ui.primitive = primitive;
-  env.ui.selection = {};
-  env.ui.alsoSelected.clear();
+  const document::Part* part = document::findPart(env.studio.document(), env.ui.selection);
+  if (part != nullptr && document::shapeOf(*part) != nullptr) {
+    env.ui.selection = {};
+    env.ui.alsoSelected.clear();
+  }
   return useShapes(env, {});
 }
 

@@ -41,7 +41,7 @@ struct ViewActivity {
 struct ShellView {
   static constexpr int kActivitySteps = 20;
   /// More than the command table has rows.
-  static constexpr std::size_t kMostCommands = 256;
+  static constexpr std::size_t kMostCommands = 320;
 
   std::string documentName;
   std::size_t pictures = 0, parts = 0, picked = 0;  ///< `picked`: ticked for the next solid

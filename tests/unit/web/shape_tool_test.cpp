@@ -125,11 +125,12 @@ struct Shapes : Rig {
   double middle = 0;  ///< triangles of the preview before the pointer was let go
 };
 
+/// From its left, where no handle is.
 std::vector<PicturePoint> ellipse(PicturePoint middle, double a, double b, int n = 48) {
   std::vector<PicturePoint> line;
   for (int i = 0; i <= n; ++i) {
     const double t = 2 * std::numbers::pi * i / n;
-    line.push_back({middle.x + a * std::sin(t), middle.y + b * std::cos(t)});
+    line.push_back({middle.x - a * std::cos(t), middle.y + b * std::sin(t)});
   }
   return line;
 }
@@ -236,7 +237,7 @@ TEST_CASE("a line that begins away from the outline is a new shape, unless it go
   CHECK(rig.parts() == 1);
   CHECK(overlap(rig.seen(), wide) >= 0.985);
   REQUIRE(rig.works("undo"));
-  rig.draw({{200, 150}, {230, 130}});
+  rig.draw({{240, 180}, {270, 160}});
   CHECK(rig.parts() == 2);
 }
 

@@ -364,8 +364,8 @@ TEST_CASE("the picture in view has a small menu, as have the others by the right
   rig.settle();
   CHECK(rig.app->ui().pictureMenu == PictureId{1});
   CHECK(picture(rig.state()).number("id") == 2);
-  // The second row of the menu, below the strip.
-  rig.click(at.x + 40, rig.app->ui().layout.pictures.bottom() + 2 + 4 + 34 + 17);
+  // The third row of the menu, below the strip.
+  rig.click(at.x + 40, rig.app->ui().layout.pictures.bottom() + 2 + 4 + 2 * 34 + 17);
   CHECK(rig.state().number("pictures") == 1);
   CHECK(rig.host.said("Undo brings it back"));
   CHECK(rig.app->ui().thumbnails.empty());
