@@ -18,7 +18,7 @@ namespace spineloft::inflate {
 namespace {
 
 /// Of the spacing: how far a point may come to lie off the surface where thin triangles go.
-constexpr double kMostOff = 0.05;
+constexpr double kMostOff = 0.1;
 /// Heights below this share of the spacing would make both sides touch.
 constexpr double kLeastHeightShare = 1e-3;
 

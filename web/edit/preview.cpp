@@ -15,7 +15,7 @@ constexpr double kPreviewShare = 0.6;  // of the time may go into shapes under t
 Preview& beginPreview(UiState& ui) {
   static const document::LoftRecipe kNothingDrawn;
   Preview& preview = ui.preview.renew();
-  preview.loft() = kNothingDrawn;
+  preview.asLoft() = kNothingDrawn;
   preview.part = {};
   preview.look = {};
   preview.fresh = false;
@@ -40,10 +40,10 @@ Preview& previewPart(UiState& ui, const document::Part& part) {
 
 Preview& previewNewPart(UiState& ui) {
   Preview& preview = beginPreview(ui);
-  preview.loft().picture = ui.picture;
-  preview.loft().loft.sections.front().shape = ui.section;
-  preview.loft().loft.startCap = ui.startCap;
-  preview.loft().loft.endCap = ui.endCap;
+  preview.asLoft().picture = ui.picture;
+  preview.asLoft().loft.sections.front().shape = ui.section;
+  preview.asLoft().loft.startCap = ui.startCap;
+  preview.asLoft().loft.endCap = ui.endCap;
   preview.look = ui.look;
   return preview;
 }

@@ -73,7 +73,7 @@ double between(std::span<const loft::SectionKey> keys, std::size_t index, double
 void previewLoft(UiState& ui, const document::Part& part, loft::LoftParams params) {
   Preview& preview = previewPart(ui, part);
   if (preview.loft().loft == params) return;
-  preview.loft().loft = std::move(params);
+  preview.asLoft().loft = std::move(params);
   preview.fresh = false;
 }
 

@@ -167,7 +167,7 @@ void coilSlider(const PanelEnv& env, const document::Part& part, bool turns, flo
   if (turn.changed && wanted != own) {
     own = wanted;
     app::Preview& preview = app::previewPart(env.ui(), part);
-    preview.loft().pose = pose;
+    preview.asLoft().pose = pose;
     preview.fresh = false;
     app::guardPreview(env.ui(), env.document(), env.derived);
   }

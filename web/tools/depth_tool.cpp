@@ -44,7 +44,7 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
   depth_ = app::raiseDepth(document::loftIn(*subject.part).pose.depth, app::handlePlace(handle_), by,
                            env.ui.edit.spineReach);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().pose.depth = depth_;
+  preview.asLoft().pose.depth = depth_;
   preview.fresh = false;
 }
 

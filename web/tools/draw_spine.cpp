@@ -20,7 +20,7 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
   if (!watch_.moved()) return;
   if (!env.ui.preview) start(env, event);
-  document::LoftRecipe& recipe = env.ui.preview->loft();
+  document::LoftRecipe& recipe = env.ui.preview->asLoft();
   if (!extend(env, recipe.stroke, event.at)) return;
   // A pen that leaves the glass weighs nothing: that is not how the line was meant to end.
   std::vector<double>& pressure = env.ui.preview->pressure;
@@ -36,8 +36,8 @@ bool DrawSpine::usesPressure(const ToolEnv& env, const ToolEvent& event) {
 void DrawSpine::start(const ToolEnv& env, const ToolEvent& event) {
   const document::Part* part = document::findPart(env.document, env.ui.redraw);
   app::Preview& preview = part ? app::previewPart(env.ui, *part) : app::previewNewPart(env.ui);
-  preview.loft().picture = env.ui.picture;
-  preview.loft().stroke = {toPicture(env, watch_.start())};
+  preview.asLoft().picture = env.ui.picture;
+  preview.asLoft().stroke = {toPicture(env, watch_.start())};
   preview.pressure = {event.pressure};
 }
 

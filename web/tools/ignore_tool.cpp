@@ -19,8 +19,8 @@ void IgnoreTool::move(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = editedPart(env);
   if (!extend(env, hand.stroke, event.at) || !subject) return;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().ignored = document::loftIn(*subject.part).ignored;
-  preview.loft().ignored.push_back({hand.stroke, hand.radius, env.ui.edit.paintOver});
+  preview.asLoft().ignored = document::loftIn(*subject.part).ignored;
+  preview.asLoft().ignored.push_back({hand.stroke, hand.radius, env.ui.edit.paintOver});
   preview.fresh = false;
 }
 

@@ -21,7 +21,7 @@ void RibTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !under_.end || under_.other >= 0 || !subject) return;
   to_ = toPicture(env, event.at) + offset_;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().edits = ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
+  preview.asLoft().edits = ribs::dragEnd(app::sceneOf(subject), *under_.end, to_, env.ui.edit.ribReach);
   preview.fresh = false;
 }
 

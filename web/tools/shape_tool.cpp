@@ -23,7 +23,7 @@ void ShapeTool::move(const ToolEnv& env, const ToolEvent& event) {
                                                    kLineReach / env.ui.pictureView.zoom, env.ui.edit.bothSides);
   hand.touched = std::move(deform.touched);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
-  preview.loft().edits = std::move(deform.edits);
+  preview.asLoft().edits = std::move(deform.edits);
   preview.fresh = false;
 }
 

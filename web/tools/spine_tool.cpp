@@ -35,7 +35,7 @@ void SpineTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (changed.size() < 2) return;
   app::Preview& preview = app::previewPart(env.ui, *subject.part);
   preview.recipe = subject.part->recipe;
-  app::putSpine(preview.loft(), std::move(changed), env.ui.edit.keepRibs);
+  app::putSpine(preview.asLoft(), std::move(changed), env.ui.edit.keepRibs);
   preview.fresh = false;
 }
 

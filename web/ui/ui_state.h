@@ -83,11 +83,12 @@ struct Preview {
   document::Recipe taken;              ///< while guarded: of `shape`
   std::vector<double> pressure;        ///< of the pen, one a point of a stroke that is being drawn
   bool settled() const { return fresh && !exactMs; }
-  /// The loft that `recipe` is; gestures of lofts make it one.
-  document::LoftRecipe& loft() {
+  /// Makes `recipe` a loft where it is none: for gestures of lofts.
+  document::LoftRecipe& asLoft() {
     auto* loft = std::get_if<document::LoftRecipe>(&recipe);
     return loft ? *loft : recipe.emplace<document::LoftRecipe>();
   }
+  /// The loft that `recipe` is; an empty one where it is none.
   const document::LoftRecipe& loft() const {
     static const document::LoftRecipe kNone;
     const auto* loft = std::get_if<document::LoftRecipe>(&recipe);

@@ -37,6 +37,7 @@ struct Desk {
     ui.picture = studio.document().pictures.back()->id;
     run("draw-spine", R"({"stroke":[[100,40],[100,160]]})");
     run("draw-puff", R"({"contours":[[[40,40],[90,45],[80,120],[35,100]]]})");
+    run("puff-slice", R"({"slice":"round"})");
     run("rename-model", R"({"name":"A swan"})");
     run("undo");
     REQUIRE(studio.document().parts.size() == 2);
@@ -77,6 +78,7 @@ struct Desk {
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;
+    if (rng.below(2) == 0) ui.chosen.bone = 0;
     if (chance()) ui.chosen.outline = app::OutlinePoint{};
     studio.cancelWork();
     studio.pump();

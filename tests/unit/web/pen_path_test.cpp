@@ -144,7 +144,7 @@ TEST_CASE("a line that cannot be followed leaves the last shape of the stroke st
   const mesh::TriMesh last = desk.ui.preview->shape->mesh;
   const std::uint64_t revision = desk.ui.preview->revision;
   // Back through its own middle: a loop.
-  std::vector<PicturePoint>& stroke = desk.ui.preview->loft().stroke;
+  std::vector<PicturePoint>& stroke = desk.ui.preview->asLoft().stroke;
   stroke.push_back({360, 20});
   stroke.push_back({200, 20});
   stroke.push_back({200, 190});

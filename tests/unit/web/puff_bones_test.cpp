@@ -86,7 +86,7 @@ TEST_CASE("a soft puff has no bones and says so; with a slice it has those of it
   rig.run("bone");
   CHECK(rig.host.said("A soft puff has no bones"));
   CHECK(rig.state().find("parts")->array()->back().find("bones")->isNull());
-  CHECK(*rig.run("add-bone", R"({"line":[[200,90],[100,90]]})").text("error") == "NotARegion");
+  CHECK(*rig.run("add-bone", R"({"line":[[200,90],[100,90]]})").text("error") == "NotNow");
   rig.run("puff-slice", R"({"slice":"round"})");
   rig.settle();
   const app::Json bones = *rig.state().find("parts")->array()->back().find("bones");
@@ -146,7 +146,6 @@ TEST_CASE("a line from a bone is a new one, and a tap takes it away again; a lin
   CHECK(rig.undo() == undo + 1);
   CHECK(rig.params().bones.add.size() == 1);
   const app::ClientPoint drawn = rig.nearest("bone", 215, 90);
-  rig.click(0, 0);
   rig.pointer(platform::PointerKind::Down, drawn.x, drawn.y);
   rig.pointer(platform::PointerKind::Up, drawn.x, drawn.y);
   rig.settle();
@@ -289,8 +288,7 @@ TEST_CASE("on a phone the handles of bones are told apart by a finger") {
       const app::Json::Array& handles = *now.find("boneHandles")->array();
       const app::Json::Array& at = *handles[static_cast<std::size_t>(chosen)].find("at")->array();
       CHECK(*handles[static_cast<std::size_t>(chosen)].text("hold") == hold);
-      CHECK(*at[0].number() == doctest::Approx(p.x));
-      CHECK(*at[1].number() == doctest::Approx(p.y));
+      CHECK(distance(app::ClientPoint{*at[0].number(), *at[1].number()}, p) < 2);
     }
   }
 }
