@@ -27,15 +27,23 @@ bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasPictures(Env env) { return env.studio.document().pictures.size() > 1; }
 bool shapesTool(Env env) { return env.ui.tool == ToolKind::Primitive; }
 std::optional<SeenShape> inHand(Env env) { return shapeInHand(env.studio.document(), env.ui); }
-bool shapeByKeys(Env env) { return inHand(env).has_value(); }
+/// The selected shape while the tool is in hand and the picture in view shows it; null else. Asked in every frame: no
+/// outline is made for it.
+const document::ShapeRecipe* inView(Env env) {
+  const document::Document& document = env.studio.document();
+  const document::Part* part = shapesTool(env) ? document::findPart(document, env.ui.selection) : nullptr;
+  const document::ShapeRecipe* recipe = part ? document::shapeOf(*part) : nullptr;
+  return recipe && document::viewOn(document, env.ui.picture, recipe->picture).ok() ? recipe : nullptr;
+}
+bool shapeByKeys(Env env) { return inView(env) != nullptr; }
 bool handleByKeys(Env env) {
-  if (env.ui.chosen.shape < 0 || env.ui.focus != Focus::Picture) return false;
+  if (env.ui.chosen.shape < 0 || env.ui.focus != Focus::Picture || inView(env) == nullptr) return false;
   const auto seen = inHand(env);
   return seen && env.ui.chosen.shape < static_cast<int>(shapeHandles(*seen).size());
 }
 bool outlineIsDrawn(Env env) {
-  const auto seen = inHand(env);
-  return seen && std::ranges::count(seen->recipe.outlines, seen->picture, &document::Outline::picture) > 0;
+  const document::ShapeRecipe* recipe = inView(env);
+  return recipe && std::ranges::count(recipe->outlines, env.ui.picture, &document::Outline::picture) > 0;
 }
 
 Refusal noShapeOfLine() {
@@ -103,10 +111,9 @@ Outcome nudge(Env env, const Json& args) {
 
 /// The shape has its own outline again in the picture in view.
 Outcome plainOutline(Env env, const Json&) {
-  const SeenShape seen = *inHand(env);
-  document::ShapeRecipe recipe = seen.recipe;
-  std::erase_if(recipe.outlines, [&](const document::Outline& outline) { return outline.picture == seen.picture; });
-  return reshape(env, seen.part->id, recipe);
+  document::ShapeRecipe recipe = *inView(env);
+  std::erase_if(recipe.outlines, [&](const document::Outline& outline) { return outline.picture == env.ui.picture; });
+  return reshape(env, env.ui.selection, recipe);
 }
 
 /// From where the picture in view looks at another one; none: it is no side.

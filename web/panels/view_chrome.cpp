@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "web/edit/editing.h"
-#include "web/edit/shaping.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
@@ -231,10 +230,10 @@ const char* shapeHint(const PanelEnv& env) {
   const document::Part* part = env.selected();
   const document::ShapeRecipe* shape = part ? document::shapeOf(*part) : nullptr;
   if (shape == nullptr) return "Drag the shape from one end to the other, or tap a thing";
-  const auto seen = app::shapeInHand(env.document(), env.ui());
-  if (!seen) return shape->picture == env.ui().picture ? "" : "Say above from where this picture looks";
-  const bool drawn = std::ranges::count(shape->outlines, seen->picture, &document::Outline::picture) > 0;
-  return drawn ? "" : seen->view ? "Draw round the shape as it is seen here" : "Draw along its edge to change it";
+  const auto view = document::viewOn(env.document(), env.ui().picture, shape->picture);
+  if (!view.ok()) return "Say above from where this picture looks";
+  const bool drawn = std::ranges::count(shape->outlines, env.ui().picture, &document::Outline::picture) > 0;
+  return drawn ? "" : view.value() ? "Draw round the shape as it is seen here" : "Draw along its edge to change it";
 }
 
 /// What one may do in the picture next, of what the tool in use is for; empty: it is known.
