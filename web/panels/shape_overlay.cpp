@@ -59,12 +59,13 @@ void paintPrimitive(ImDrawList& list, const SectionFrame& frame, shape::Primitiv
   const double width = shape::readyShape(primitive).width, size = 1 / std::max(1.0, width);
   const auto half = [&](double share) { return size * width * shape::halfWidthOf(primitive, share, width / 2); };
   const auto height = [&](double share) { return size * (2 * share - 1); };
-  std::vector<SectionPoint> line;
-  for (int i = 0; i <= 2 * kPoints; ++i) {
-    const double turn = (1 - std::cos(std::numbers::pi * (i % (kPoints + 1)) / kPoints)) / 2;
-    const double share = i <= kPoints ? turn : 1 - turn;
-    line.push_back({(i <= kPoints ? 1 : -1) * half(share), height(share)});
+  std::vector<SectionPoint> line, other;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double share = (1 - std::cos(std::numbers::pi * i / kPoints)) / 2;
+    line.push_back({half(share), height(share)});
+    if (half(share) > 1e-3) other.push_back({-half(share), height(share)});  // a tip once
   }
+  line.insert(line.end(), other.rbegin(), other.rend());
   paintOutlines(list, frame, std::array{line}, {ink, faded(ink, 40), 1.8f});
   const bool square = shape::sectionOf(primitive) == sections::SectionPreset::Square;
   std::vector<SectionPoint> section;

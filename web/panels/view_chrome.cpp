@@ -223,7 +223,7 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
 }
 
 /// In a lower view a pill would cover what it is about; the status line says it, too.
-constexpr double kPillRoom = 200;
+constexpr double kPillRoom = 200, kShapeRoom = 300;
 
 /// Of the tool Shapes.
 const char* shapeHint(const PanelEnv& env) {
@@ -250,7 +250,7 @@ const char* hintFor(const PanelEnv& env) {
   if (tool == app::ToolKind::Spin && !part && !drawing) return "Draw one side of a thing beside the dashed line";
   const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
   if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
-  if (tool == app::ToolKind::Primitive && !drawing && !env.ui().cut) return shapeHint(env);
+  if (tool == app::ToolKind::Primitive && !drawing && !env.ui().cut && view.height > kShapeRoom) return shapeHint(env);
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
   const bool posed = rib && part && !document::loftIn(*part).pose.isRest();
   return posed && view.height > 300 ? "Ribs are changed where they were drawn" : "";

@@ -80,7 +80,13 @@ void pickShape(const ToolEnv& env, PicturePoint p, const ShapeReach& reach, app:
   const auto seen = app::shapeInHand(env.document, env.ui);
   if (!seen) return;
   const double zoom = env.ui.pictureView.zoom;
-  hover.shape = app::shapeHandleAt(app::shapeHandles(*seen), p, zoom, reach.handle);
+  const std::vector<app::ShapeHandle> handles = app::shapeHandles(*seen);
+  const int held = app::shapeHandleAt(handles, p, zoom, reach.handle);
+  // A finger reaches both: what is nearer counts.
+  std::vector<PicturePoint> closed = seen->outline;
+  closed.push_back(closed.front());
+  const double off = held < 0 ? 0 : distance(app::heldAt(handles[static_cast<std::size_t>(held)], zoom), p);
+  if (held >= 0 && off <= toPolyline(p, closed)) hover.shape = held;
   hover.outlineOfShape = hover.shape < 0 && app::drawsOutline(*seen, p, reach.outline);
 }
 

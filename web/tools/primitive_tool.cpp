@@ -76,9 +76,10 @@ bool PrimitiveTool::goesRound() const {
 
 void PrimitiveTool::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
+  const bool longer = !handle_ && extend(env, line_, event.at);  // also what is still a click: a line begins with it
   if (!watch_.moved()) return;
   if (handle_) return drag(env, event.at);
-  if (!extend(env, line_, event.at)) return;
+  if (!longer) return;
   outline_ = begunAtOutline_ || (seen_ && goesRound());
   if (outline_) {
     draw(env);
