@@ -62,6 +62,9 @@ for (const [size, options] of [
         const midway = async (shown) => {
           seen = (await state(shown)).preview?.triangles ?? 0;
         };
+        // What the page shows first is for the device that was used last.
+        const [corner] = await toClient(page, [[5, 5]]);
+        await strokeAlong(page, device, [corner]);
         let gestures = 0;
         const count = async (gesture) => {
           await gesture;
