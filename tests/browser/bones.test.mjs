@@ -75,8 +75,8 @@ for (const device of ['mouse', 'finger', 'pen']) {
 
       const { ends } = await bones(page);
       const [from, to] = await toClient(page, [
-        [640, 221],
-        [690, 276],
+        [420, 222],
+        [370, 276],
       ]);
       await pull(page, device, from, to.x - from.x, to.y - from.y);
       now = await bones(page);

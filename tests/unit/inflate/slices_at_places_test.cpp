@@ -16,6 +16,7 @@
 #include "tests/support/mesh_laws.h"
 #include "tests/support/named_shapes.h"
 #include "tests/support/outlines.h"
+#include "tests/support/puffs.h"
 #include "tests/support/rounds.h"
 
 using namespace spineloft;
@@ -25,8 +26,6 @@ using sections::SectionShape;
 
 namespace {
 
-constexpr image::Size kSize{400, 400};
-
 SectionShape ready(const char* key) { return readyProfile(key)->slices.front().shape; }
 const char* const kBodies[] = {"round", "roof", "block", "step", "bowl"};
 
@@ -35,16 +34,6 @@ InflateParams puffOf(std::vector<ProfileSlice> slices, int points = 3000) {
   params.points = points;
   params.profile.slices = std::move(slices);
   return params;
-}
-struct Made {
-  mesh::TriMesh mesh;
-  mesh::MeshReport report;
-};
-Made puffed(const geometry::Contours& contours, const InflateParams& params) {
-  Result<mesh::TriMesh> solid = inflateRegion(contours, kSize, params);
-  REQUIRE_MESSAGE(solid.ok(), (solid.ok() ? std::string() : failureSentence(solid.failure())));
-  const mesh::MeshReport report = requireLawful(solid.value());
-  return {std::move(solid).value(), report};
 }
 
 /// The largest z of the corners within `reach` of a place.
@@ -73,8 +62,8 @@ TEST_CASE("slices of the same look at any places make the puff of one of them") 
   for (const char* name : {"stadium", "T", "ring", "hand"}) {
     CAPTURE(std::string(name));
     const geometry::Contours& region = namedShape(name).contours;
-    const Made one = puffed(region, puffOf({{ready("round")}}));
-    const Made two = puffed(region, puffOf({{ready("round")}, {ready("round"), PicturePoint{120, 200}}}));
+    const Puffed one = puffed(region, puffOf({{ready("round")}}));
+    const Puffed two = puffed(region, puffOf({{ready("round")}, {ready("round"), PicturePoint{120, 200}}}));
     CHECK(two.report.volume == doctest::Approx(one.report.volume).epsilon(2e-3));
     CHECK(two.report.genus == one.report.genus);
   }
@@ -85,7 +74,7 @@ TEST_CASE("each slice is what the puff is at its place, and between two places i
   const geometry::Contours& region = namedShape("stadium").contours;
   const InflateParams both =
       puffOf({{ready("round"), PicturePoint{100, 200}}, {ready("roof"), PicturePoint{300, 200}}}, 6000);
-  const Made made = puffed(region, both);
+  const Puffed made = puffed(region, both);
   CHECK(!mesh::selfCrossing(made.mesh));
   CHECK(offAt(made.mesh, 100, false) < 0.06);
   CHECK(offAt(made.mesh, 300, true) < 0.06);
@@ -99,7 +88,7 @@ TEST_CASE("a slice beside one without a place is local: it fades along the skele
   const geometry::Contours& region = namedShape("stadium").contours;
   SectionShape low = ready("block");
   for (auto& p : low.contours[0]) p.y *= 0.5;
-  const Made made = puffed(region, puffOf({{ready("block")}, {low, PicturePoint{100, 200}}}, 5000));
+  const Puffed made = puffed(region, puffOf({{ready("block")}, {low, PicturePoint{100, 200}}}, 5000));
   CHECK(topNear(made.mesh, 100, 200, 8) == doctest::Approx(0.2 * 60).epsilon(0.12));
   const double far = topNear(made.mesh, 320, 200, 12);
   CHECK(far > 0.3 * 60);
@@ -112,13 +101,13 @@ TEST_CASE("a slice at a place that the outline lacks sleeps; of two pieces each 
   const auto interior = interiorOf(region, {}, away.profile.slices);
   REQUIRE(interior.ok());
   CHECK(asleep(interior.value().bones) == 1);
-  const Made made = puffed(region, away), plain = puffed(region, puffOf({{ready("round")}}));
+  const Puffed made = puffed(region, away), plain = puffed(region, puffOf({{ready("round")}}));
   CHECK(made.report.volume == doctest::Approx(plain.report.volume).epsilon(2e-3));
 
   const geometry::Contours pair{ellipse({100, 200}, 60, 60, 80), ellipse({300, 200}, 60, 60, 80)};
   const auto clean = geometry::cleanRegion(pair, 0, {400, 400});
   REQUIRE(clean.ok());
-  const Made discs = puffed(
+  const Puffed discs = puffed(
       clean.value(), puffOf({{ready("round"), PicturePoint{100, 200}}, {ready("roof"), PicturePoint{300, 200}}}));
   CHECK(topNear(discs.mesh, 100, 230, 6) / 60 == doctest::Approx(0.866).epsilon(0.03));
   CHECK(topNear(discs.mesh, 300, 230, 6) / 60 < 0.6);
@@ -168,7 +157,7 @@ TEST_CASE("random shapes with several ready slices at random places are lawful a
     InflateParams params = puffOf(slices, 1500);
     params.sides = sides;
     params.profile.follow = rng.uniform(0, 1);
-    const Made made = puffed(shape.contours, params);
+    const Puffed made = puffed(shape.contours, params);
     CHECK(made.report.genus == shape.rings);
     crossing += mesh::selfCrossing(made.mesh) ? 1 : 0;
   }
