@@ -80,7 +80,7 @@ struct Desk {
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;
     if (rng.below(2) == 0) ui.chosen.bone = 0;
-    if (chance()) ui.chosen.outline = app::OutlinePoint{};
+    if (rng.below(2) == 0) ui.chosen.outline = app::OutlinePoint{};
     if (rng.below(2) == 0) ui.chosen.shape = 0;
     studio.cancelWork();
     studio.pump();
