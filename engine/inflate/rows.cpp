@@ -195,8 +195,7 @@ class Builder {
   std::uint32_t add(const LevelPoint& p, const ProfileRow& row) {
     double z = 0;
     for (std::size_t k = 0; k < row.size(); ++k) z += p.over.share[k] * row[k].y;
-    const double thick =
-        std::pow(fields_.widthOf(p.half), params_.follow) * std::pow(params_.widest, 1 - params_.follow);
+    const double thick = thicknessOf(fields_.widthOf(p.half), params_);
     const ModelPoint at{p.at.x, p.at.y, z * thick * p.over.factor * params_.height};
     points_.push_back(at);
     mesh_.positions.push_back({static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)});
@@ -310,6 +309,10 @@ double meanHalf(const Fields& fields) {
 }
 
 }  // namespace
+
+double thicknessOf(double width, const RowParams& params) {
+  return std::pow(width, params.follow) * std::pow(params.widest, 1 - params.follow);
+}
 
 Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
                const RowParams& params, mesh::TriMesh& mesh) {

@@ -20,8 +20,11 @@ struct RowParams {
   image::Size picture;  ///< of the UV
 };
 
+/// H' = H^follow · widest^(1 − follow), by which z of a slice grows where its width is H.
+double thicknessOf(double width, const RowParams& params);
+
 /// Adds the surface {(p, z) : (s(p), z / H'(p)) on a curve} of one piece to `mesh` (ModelSpace, UV as seen from the
-/// front), H' = H^follow · widest^(1 − follow) times the factor there, and the curve that of the slices by their shares
+/// front), H' = thicknessOf times the factor there, and the curve that of the slices by their shares
 /// there. Every curve of the profile is a closed surface, or one an outline: see topologyOf. A row at s = 1 is the
 /// outline, sampled by the spacing; one at s = 0 the skeleton, to which the plane is triangulated. Error:
 /// RegionTooFine.

@@ -1,6 +1,7 @@
 #include "engine/pipeline/cache.h"
 
 #include <algorithm>
+
 #include "engine/inflate/interior.h"
 
 namespace spineloft::pipeline {

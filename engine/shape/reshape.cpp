@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "engine/geometry/bounds.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 
@@ -23,14 +24,11 @@ constexpr double kSkewed = 0.03;  // of the length, that the middle of the area 
 
 using Line = std::vector<PicturePoint>;
 
-struct Box {
-  PicturePoint low, high;
-  double size() const { return std::max(high.x - low.x, high.y - low.y); }
-};
-Box boxOf(const Line& line) {
-  const auto [left, right] = std::ranges::minmax(line, {}, &PicturePoint::x);
-  const auto [up, down] = std::ranges::minmax(line, {}, &PicturePoint::y);
-  return {{left.x, up.y}, {right.x, down.y}};
+using Box = geometry::Bounds<PicturePoint>;
+Box boxOf(const Line& line) { return geometry::boundsOf(std::span<const PicturePoint>(line)); }
+double sizeOf(const Line& line) {
+  const auto [low, high] = boxOf(line);
+  return std::max(high.x - low.x, high.y - low.y);
 }
 
 double lengthOf(const Line& line) { return geometry::arcLengths(std::span<const PicturePoint>(line)).back(); }
@@ -186,16 +184,16 @@ bool isWhole(const Line& outline, const Line& line) {
   if (gap <= kClosed * length) return true;
   if (gap > kNearlyClosed * length) return false;
   const double off = std::max(footOf(outline, line.front()).away, footOf(outline, line.back()).away);
-  return off > kAtOutline * boxOf(outline).size();
+  return off > kAtOutline * sizeOf(outline);
 }
 
 Line redrawn(const Line& outline, const Line& line) {
   if (outline.size() < 3 || line.size() < 2 || !(lengthOf(line) > 0)) return outline;
   if (isWhole(outline, line)) {
     const Line closed = closedLine(line);
-    return thinned(closed, boxOf(closed).size());
+    return thinned(closed, sizeOf(closed));
   }
-  const double size = boxOf(outline).size();
+  const double size = sizeOf(outline);
   const Foot first = footOf(outline, line.front()), last = footOf(outline, line.back());
   const Line own = snapped(line, first, last, size);
   const Line ahead = stretch(outline, first, last);

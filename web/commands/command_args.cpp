@@ -44,6 +44,19 @@ std::optional<PicturePoint> pointOf(const Json& args, std::string_view key) {
   return value ? pairOf(*value) : std::nullopt;
 }
 
+std::optional<PicturePoint> nudgeOf(const Json& args) {
+  constexpr double kFar = 10;
+  if (args.find("by")) return pointOf(args, "by");
+  const std::string* key = args.text("key");
+  if (key == nullptr) return std::nullopt;
+  const double step = args.flag("far").value_or(false) ? kFar : 1;
+  if (*key == "ArrowLeft") return PicturePoint{-step, 0};
+  if (*key == "ArrowRight") return PicturePoint{step, 0};
+  if (*key == "ArrowUp") return PicturePoint{0, -step};
+  if (*key == "ArrowDown") return PicturePoint{0, step};
+  return std::nullopt;
+}
+
 std::optional<geometry::AlongCurve> curveOf(const Json& args, std::string_view key) {
   const std::optional<std::vector<PicturePoint>> points = strokeOf(args, key);
   if (!points) return std::nullopt;

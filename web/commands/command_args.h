@@ -30,6 +30,11 @@ std::optional<geometry::AlongCurve> curveOf(const Json& args, std::string_view k
 std::optional<ribs::EndRef> endOf(const Json& args);
 /// None for anything but a whole number from 1 on.
 PartId idFrom(const Json& args, std::string_view key);
+/// How far a picture point is to move: `by`, or 1 pixel in the way of the arrow `key`, 10 with the flag `far`.
+std::optional<PicturePoint> nudgeOf(const Json& args);
+/// The keys of commands that take it.
+inline constexpr std::string_view kArrowKeys =
+    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, Shift+ArrowUp, Shift+ArrowDown";
 /// A part is meant by its id, not the selected one.
 bool namesPart(const Json& args);
 

@@ -15,8 +15,6 @@ namespace {
 
 using Env = const CommandEnv&;
 
-constexpr double kStep = 1, kFarStep = 10;  // picture pixels
-
 const document::Part* shownRegion(Env env) {
   const document::Part* part = document::findPart(env.studio.document(), env.ui.selection);
   const bool shown =
@@ -55,13 +53,7 @@ Outcome change(Env env, document::Region region, const std::string& burst) {
 Outcome nudge(Env env, const Json& args) {
   const document::Region& region = *document::regionOf(shownRegion(env)->recipe);
   const OutlinePoint at = *env.ui.chosen.outline;
-  std::optional<PicturePoint> by = pointOf(args, "by");
-  const std::string* key = args.text("key");
-  const double way = args.flag("far").value_or(false) ? kFarStep : kStep;
-  if (key != nullptr && *key == "ArrowLeft") by = PicturePoint{-way, 0};
-  if (key != nullptr && *key == "ArrowRight") by = PicturePoint{way, 0};
-  if (key != nullptr && *key == "ArrowUp") by = PicturePoint{0, -way};
-  if (key != nullptr && *key == "ArrowDown") by = PicturePoint{0, way};
+  const std::optional<PicturePoint> by = nudgeOf(args);
   if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
   return change(env, withMovedPoint(region, at, pointOf(region, at) + *by),
                 "outline " + std::to_string(env.ui.selection.value) + " " + std::to_string(at.contour) + " " +
@@ -96,9 +88,6 @@ Outcome remove(Env env, const Json&) {
 }
 
 constexpr Argument kBy{"by"};
-constexpr std::string_view kArrows =
-    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
-    "Shift+ArrowUp, Shift+ArrowDown";
 
 // clang-format off
 constexpr std::array kTable = {
@@ -108,7 +97,7 @@ constexpr std::array kTable = {
     Command{.id = "previous-outline-point", .label = "Outline point before", .icon = "chevron-left", .shortcut = ",",
             .group = "part", .hint = "Choose the point of the outline before", .enabled = byKeys, .run = previous,
             .mode = &kOutlineMode},
-    Command{.id = "nudge-outline-point", .label = "Move the outline point", .icon = "move", .shortcut = kArrows,
+    Command{.id = "nudge-outline-point", .label = "Move the outline point", .icon = "move", .shortcut = kArrowKeys,
             .group = "part", .argument = kBy, .hint = "Arrow keys move the chosen point, with Shift by ten pixels",
             .enabled = pointByKeys, .run = nudge, .mode = &kOutlinePointMode},
     Command{.id = "add-outline-point", .label = "Add outline point", .icon = "circle-plus", .shortcut = "Insert, A",

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 
-#include "engine/geometry/polyline.h"
+#include "engine/geometry/line_distance.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
@@ -19,7 +20,6 @@ namespace {
 using Env = const CommandEnv&;
 
 constexpr double kNotch = 1.05, kFarNotch = 1.25;  // of a thickness
-constexpr double kFar = 10;                        // picture pixels, with shift
 constexpr double kSliceStep = 0.2;                 // half widths: points of bones are not so far apart
 
 BonedPuff puffFor(Env env, PartId part) { return bonedPuff(env.studio.document(), env.studio.derived(), part); }
@@ -85,12 +85,10 @@ Outcome restoreRow(Env env, const Json& args) {
   double least = std::numeric_limits<double>::infinity();
   for (const BoneHandle& handle : boneHandles(puff)) {
     if (handle.hold != BoneHold::Gone) continue;
-    for (std::size_t i = 1; i < handle.line.size(); ++i) {
-      const double off = geometry::distanceToSegment(*at, handle.line[i - 1], handle.line[i]);
-      if (off >= least) continue;
-      least = off;
-      gone = handle.edit;
-    }
+    const double off = geometry::distanceToLine(*at, std::span<const PicturePoint>(handle.line));
+    if (off >= least) continue;
+    least = off;
+    gone = handle.edit;
   }
   params.bones.drop.erase(params.bones.drop.begin() + static_cast<std::ptrdiff_t>(gone));
   return act(env, puff.part->id, params);
@@ -145,14 +143,8 @@ Outcome previous(Env env, const Json&) { return step(env, -1); }
 Outcome nudge(Env env, const Json& args) {
   const BonedPuff puff = inHand(env);
   const BoneHandle handle = boneHandles(puff)[static_cast<std::size_t>(env.ui.chosen.bone)];
-  std::optional<PicturePoint> by = pointOf(args, "by");
-  const std::string* key = args.text("key");
+  const std::optional<PicturePoint> by = nudgeOf(args);
   const bool far = args.flag("far").value_or(false);
-  const double way = far ? kFar : 1;
-  if (key != nullptr && *key == "ArrowLeft") by = PicturePoint{-way, 0};
-  if (key != nullptr && *key == "ArrowRight") by = PicturePoint{way, 0};
-  if (key != nullptr && *key == "ArrowUp") by = PicturePoint{0, -way};
-  if (key != nullptr && *key == "ArrowDown") by = PicturePoint{0, way};
   if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
   std::optional<BoneEdit> edit;
   if (handle.hold == BoneHold::Knob) {
@@ -200,9 +192,6 @@ Outcome sliceHere(Env env, const Json& args) {
 }
 
 constexpr Argument kLine{"line"}, kPoint{"to"}, kAt{"at"}, kBy{"by"};
-constexpr std::string_view kArrows =
-    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
-    "Shift+ArrowUp, Shift+ArrowDown";
 
 // clang-format off
 constexpr std::array kTable = {
@@ -217,7 +206,7 @@ constexpr std::array kTable = {
     Command{.id = "previous-bone", .label = "Bone point before", .icon = "chevron-left", .shortcut = ",",
             .group = "part", .hint = "Choose the end, knob, slice or bone of the puff before", .enabled = bonesByKeys,
             .run = previous, .mode = &kBonesMode},
-    Command{.id = "nudge-bone", .label = "Move the bone point", .icon = "move", .shortcut = kArrows, .group = "part",
+    Command{.id = "nudge-bone", .label = "Move the bone point", .icon = "move", .shortcut = kArrowKeys, .group = "part",
             .argument = kBy, .hint = "Arrow keys move the chosen end, and make a knob thicker or thinner",
             .enabled = boneByKeys, .run = nudge, .mode = &kBoneMode},
     Command{.id = "toggle-bone", .label = "Leave the bone out", .icon = "circle-minus",

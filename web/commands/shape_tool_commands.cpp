@@ -21,8 +21,6 @@ namespace {
 
 using Env = const CommandEnv&;
 
-constexpr double kFar = 10;  // picture pixels, with shift
-
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasPictures(Env env) { return env.studio.document().pictures.size() > 1; }
 bool shapesTool(Env env) { return env.ui.tool == ToolKind::Primitive; }
@@ -95,13 +93,7 @@ Outcome previous(Env env, const Json&) { return step(env, -1); }
 Outcome nudge(Env env, const Json& args) {
   const SeenShape seen = *inHand(env);
   const ShapeHandle handle = shapeHandles(seen)[static_cast<std::size_t>(env.ui.chosen.shape)];
-  std::optional<PicturePoint> by = pointOf(args, "by");
-  const std::string* key = args.text("key");
-  const double way = args.flag("far").value_or(false) ? kFar : 1;
-  if (key != nullptr && *key == "ArrowLeft") by = PicturePoint{-way, 0};
-  if (key != nullptr && *key == "ArrowRight") by = PicturePoint{way, 0};
-  if (key != nullptr && *key == "ArrowUp") by = PicturePoint{0, -way};
-  if (key != nullptr && *key == "ArrowDown") by = PicturePoint{0, way};
+  const std::optional<PicturePoint> by = nudgeOf(args);
   if (!by || !isFinite(*by)) return missing("how far: by [x, y] in picture pixels");
   const auto moved = draggedShape(env.studio.document(), seen, handle, handle.at + *by);
   if (!moved) return Refusal{"NotNow", "The shape cannot become smaller there."};
@@ -151,9 +143,6 @@ void dropOutlines(const document::Document& document, PictureId picture, std::ve
 }
 
 constexpr Argument kBy{"by"};
-constexpr std::string_view kArrows =
-    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
-    "Shift+ArrowUp, Shift+ArrowDown";
 
 // clang-format off
 constexpr std::array kTable = {
@@ -175,7 +164,7 @@ constexpr std::array kTable = {
     Command{.id = "previous-shape-point", .label = "Point of the shape before", .icon = "chevron-left",
             .shortcut = ",", .group = "part", .hint = "Choose the end of the shape, its middle or its width before",
             .enabled = shapeByKeys, .run = previous, .mode = &kShapeMode},
-    Command{.id = "nudge-shape-point", .label = "Move the point of the shape", .icon = "move", .shortcut = kArrows,
+    Command{.id = "nudge-shape-point", .label = "Move the point of the shape", .icon = "move", .shortcut = kArrowKeys,
             .group = "part", .argument = kBy, .hint = "Arrow keys move the chosen point, with Shift by ten pixels",
             .enabled = handleByKeys, .run = nudge, .mode = &kShapePointMode},
 };

@@ -21,7 +21,6 @@ using Env = const CommandEnv&;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kFirstCoil = 3;  // turns
-constexpr double kFarNudge = 10;  // picture pixels, with shift
 
 Subject subjectFor(Env env, PartId part) { return subjectOf(env.studio.document(), env.studio.derived(), part); }
 Subject subjectFor(Env env, const Json& args) {
@@ -214,19 +213,6 @@ Outcome sideView(Env env, const Json& args) {
   return {};
 }
 
-/// How far a key or the arguments move a point, picture pixels.
-std::optional<PicturePoint> nudgeOf(const Json& args) {
-  if (args.find("by")) return pointOf(args, "by");
-  const std::string* key = args.text("key");
-  if (key == nullptr) return std::nullopt;
-  const double step = args.flag("far").value_or(false) ? kFarNudge : 1;
-  if (*key == "ArrowLeft") return PicturePoint{-step, 0};
-  if (*key == "ArrowRight") return PicturePoint{step, 0};
-  if (*key == "ArrowUp") return PicturePoint{0, -step};
-  if (*key == "ArrowDown") return PicturePoint{0, step};
-  return std::nullopt;
-}
-
 /// Arrow keys on the chosen rib end or spine point; pressed one after the other they are one step.
 Outcome nudge(Env env, const Json& args) {
   const std::optional<PicturePoint> by = nudgeOf(args);
@@ -256,15 +242,12 @@ Outcome nudge(Env env, const Json& args) {
 }
 
 constexpr Argument kLine{"stroke"}, kPoint{"to"}, kBy{"by"}, kPoints{"points"}, kHandle{"handle"};
-constexpr std::string_view kArrows =
-    "ArrowLeft, ArrowRight, ArrowUp, ArrowDown, Shift+ArrowLeft, Shift+ArrowRight, "
-    "Shift+ArrowUp, Shift+ArrowDown";
 
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "bone", .label = "Bone", .icon = "bone", .shortcut = "7, M", .group = "tool",
-            .hint = "Bend, move, lengthen or pose the bone; change the bones of a puff", .enabled = hasParts, .toggled = spineTool,
-            .run = useSpineTool},
+            .hint = "Bend, move, lengthen or pose the bone; change the bones of a puff", .enabled = hasParts,
+            .toggled = spineTool, .run = useSpineTool},
     Command{.id = "find-edges", .label = "Find edges again", .icon = "scan-search", .group = "bone",
             .hint = "A changed bone looks for its ribs in the picture again", .enabled = hasParts,
             .toggled = findsEdges, .run = findEdges},
@@ -282,7 +265,7 @@ constexpr std::array kTable = {
     Command{.id = "depth-by-pressure", .label = "Depth by pressure", .icon = "signature", .group = "bone",
             .hint = "Pressing harder with the pen brings the bone nearer", .enabled = penSeen, .toggled = byPressure,
             .run = togglePressure},
-    Command{.id = "nudge", .label = "Move the chosen point", .icon = "move", .shortcut = kArrows, .group = "bone",
+    Command{.id = "nudge", .label = "Move the chosen point", .icon = "move", .shortcut = kArrowKeys, .group = "bone",
             .argument = kBy, .hint = "Arrows move it by one pixel, with Shift by ten", .enabled = pointChosen,
             .run = nudge, .mode = &kPointMode},
     Command{.id = "bend-spine", .label = "Bend a bone by numbers", .icon = "spline", .group = "bone",

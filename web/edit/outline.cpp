@@ -5,23 +5,17 @@
 #include <limits>
 
 #include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 #include "engine/loft/straight_end.h"
 
 namespace spineloft::app {
 namespace {
 
-double distanceToSegment(PicturePoint p, PicturePoint a, PicturePoint b) {
-  const PicturePoint along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
-}
-
 bool nearSpine(const pipeline::PartShape& shape, PicturePoint p, double reach) {
   const auto& line = shape.centreLine;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const PicturePoint a{line[i - 1].x, -line[i - 1].y}, b{line[i].x, -line[i].y};
-    if (distanceToSegment(p, a, b) <= reach) return true;
+    if (geometry::distanceToSegment(p, a, b) <= reach) return true;
   }
   return false;
 }

@@ -7,9 +7,11 @@
 #include <span>
 #include <utility>
 
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/pieces.h"
 #include "engine/geometry/polyline.h"
 #include "engine/inflate/profile.h"
+#include "engine/inflate/rows.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/words/words.h"
@@ -158,14 +160,6 @@ void addBones(const BonedPuff& puff, std::vector<BoneHandle>& out) {
   }
 }
 
-double away(const std::vector<PicturePoint>& line, PicturePoint p) {
-  double least = distance(line.front(), p);
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    least = std::min(least, geometry::distanceToSegment(p, line[i - 1], line[i]));
-  }
-  return least;
-}
-
 }  // namespace
 
 BonedPuff bonedPuff(const document::Part& part, const pipeline::PartShape* shape) {
@@ -240,7 +234,8 @@ int boneAt(const std::vector<BoneHandle>& handles, const UiState& ui, ClientPoin
   const PicturePoint p = ui.pictureView.toPicture(at, ui.layout.picture);
   for (std::size_t i = 0; i < handles.size(); ++i) {
     if (handles[i].line.empty()) continue;
-    const double off = away(handles[i].line, p) * ui.pictureView.zoom;
+    const double off =
+        geometry::distanceToLine(p, std::span<const PicturePoint>(handles[i].line)) * ui.pictureView.zoom;
     if (off > lineReach) continue;
     lineReach = off;
     best = static_cast<int>(i);
@@ -256,16 +251,28 @@ std::vector<std::vector<ModelPoint>> sliceLines(const BonedPuff& puff, const Bon
   for (const inflate::EditedSkeleton& piece : puff.shape->bones) {
     for (const inflate::SkeletonPoint& point : piece.skeleton.points) widest = std::max(widest, point.radius);
   }
-  const double follow = params.profile.follow;
-  const double thick = std::pow(slice.half, follow) * std::pow(widest, 1 - follow) * slice.factor * params.height;
+  const bool rim = params.profile.across == inflate::Across::Length;
+  const double reach = params.profile.reach * std::max(puff.picture.width, puff.picture.height);
+  const double width = rim ? std::min(slice.half, reach) : slice.half;
+  if (rim) widest = std::min(widest, reach);
+  inflate::RowParams rows;
+  rows.follow = params.profile.follow;
+  rows.widest = widest;
+  const double high = inflate::thicknessOf(width, rows) * slice.factor * params.height;
   std::vector<std::vector<ModelPoint>> lines;
   for (const auto& [points, closed] : curves.value()) {
     for (const double side : {1.0, -1.0}) {
       std::vector<ModelPoint>& line = lines.emplace_back();
+      const auto put = [&](double out, double z) {
+        const PicturePoint at = slice.at + slice.across * (side * out);
+        line.push_back({at.x, -at.y, z * high});
+      };
       for (std::size_t i = 0; i < points.size() + (closed ? 1 : 0); ++i) {
         const SectionPoint p = points[i % points.size()];
-        const PicturePoint at = slice.at + slice.across * (side * p.x * slice.half);
-        line.push_back({at.x, -at.y, p.y * thick});
+        const bool flat = p.x == 0 && width < slice.half;  // from there to the bone
+        if (flat && i == 0) put(0, p.y);
+        put(slice.half - width * (1 - p.x), p.y);
+        if (flat && i > 0) put(0, p.y);
       }
     }
   }

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
+#include "engine/geometry/bounds.h"
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/shape/reshape.h"
@@ -52,12 +55,7 @@ template <class Measure>
 PicturePoint farthest(const std::vector<PicturePoint>& outline, const Measure& measure) {
   const auto [least, most] = std::ranges::minmax(outline, {}, measure);
   const double enough = measure(most) - kWidest * (measure(most) - measure(least));
-  PicturePoint low = outline.front(), high = low;
-  for (const PicturePoint p : outline) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const PicturePoint middle = (low + high) / 2;
+  const PicturePoint middle = geometry::boundsOf(std::span<const PicturePoint>(outline)).middle();
   PicturePoint best = most;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     // Between two such points the outline runs straight: the nearest place of it.
@@ -274,14 +272,10 @@ document::ShapeRecipe previewOfLine(const document::Document& document, const Se
 
 bool drawsOutline(const SeenShape& seen, PicturePoint from, double reach) {
   if (seen.view) return true;
-  const auto [left, right] = std::ranges::minmax(seen.outline, {}, &PicturePoint::x);
-  const auto [top, foot] = std::ranges::minmax(seen.outline, {}, &PicturePoint::y);
-  const double near = std::max(reach, kNearby * std::min(right.x - left.x, foot.y - top.y));
-  for (std::size_t i = 0; i < seen.outline.size(); ++i) {
-    const PicturePoint a = seen.outline[i], b = seen.outline[(i + 1) % seen.outline.size()];
-    if (geometry::distanceToSegment(from, a, b) <= near) return true;
-  }
-  return false;
+  const std::span<const PicturePoint> outline = seen.outline;
+  const geometry::Bounds<PicturePoint> box = geometry::boundsOf(outline);
+  const PicturePoint size = box.high - box.low;
+  return geometry::distanceToLine(from, outline, true) <= std::max(reach, kNearby * std::min(size.x, size.y));
 }
 
 document::ShapeRecipe nextShape(const UiState& ui, PicturePoint from, PicturePoint to) {

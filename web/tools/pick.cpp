@@ -1,8 +1,9 @@
 #include "web/tools/pick.h"
 
-#include <array>
-#include <limits>
+#include <algorithm>
+#include <span>
 
+#include "engine/geometry/line_distance.h"
 #include "web/commands/intents.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/outline.h"
@@ -49,17 +50,6 @@ void pickRib(const app::Subject& subject, const app::UiState& ui, PicturePoint p
   hover.end = ribs::nearestEnd(subject.shape->ribs, p, reach);
 }
 
-double toPolyline(PicturePoint p, const std::vector<PicturePoint>& line) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const PicturePoint along = line[i] - line[i - 1];
-    const double length2 = dot(along, along);
-    const double t = length2 > 0 ? std::clamp(dot(p - line[i - 1], along) / length2, 0., 1.) : 0.;
-    nearest = std::min(nearest, distance(p, line[i - 1] + along * t));
-  }
-  return nearest;
-}
-
 void pickSpine(const app::Subject& subject, PicturePoint p, double reach, double lineReach, app::Hover& hover) {
   const std::vector<PicturePoint> handles = app::spineHandles(subject);
   double nearest = reach;
@@ -69,7 +59,8 @@ void pickSpine(const app::Subject& subject, PicturePoint p, double reach, double
     nearest = away;
     hover.handle = static_cast<int>(i);
   }
-  hover.spine = hover.handle < 0 && toPolyline(p, app::spineLine(subject)) <= lineReach;
+  const std::vector<PicturePoint> line = app::spineLine(subject);
+  hover.spine = hover.handle < 0 && geometry::distanceToLine(p, std::span<const PicturePoint>(line)) <= lineReach;
 }
 
 /// Of the shape in hand: a handle, CSS pixels, or its outline, picture pixels.
@@ -83,10 +74,9 @@ void pickShape(const ToolEnv& env, PicturePoint p, const ShapeReach& reach, app:
   const std::vector<app::ShapeHandle> handles = app::shapeHandles(*seen);
   const int held = app::shapeHandleAt(handles, p, zoom, reach.handle);
   // A finger reaches both: what is nearer counts.
-  std::vector<PicturePoint> closed = seen->outline;
-  closed.push_back(closed.front());
+  const double toOutline = geometry::distanceToLine(p, std::span<const PicturePoint>(seen->outline), true);
   const double off = held < 0 ? 0 : distance(app::heldAt(handles[static_cast<std::size_t>(held)], zoom), p);
-  if (held >= 0 && off <= toPolyline(p, closed)) hover.shape = held;
+  if (held >= 0 && off <= toOutline) hover.shape = held;
   hover.outlineOfShape = hover.shape < 0 && app::drawsOutline(*seen, p, reach.outline);
 }
 
