@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/document/params.h"
+#include "engine/document/pieces.h"
 #include "tests/support/random_recipes.h"
 
 namespace spineloft::testing {
@@ -303,6 +304,74 @@ struct Make<SetView> {
     const auto from = static_cast<geometry::ViewFrom>(rng.below(5));
     return {anyPicture(rng, d),
             PictureView{anyPicture(rng, d), {from, rng.uniform(0, 90), rng.uniform(-0.2, 3), rng.uniform(-50, 50)}}};
+  }
+};
+
+DrawingId anyDrawing(Rng& rng, const Document& d) {
+  if (d.drawings.empty() || rng.below(20) == 0) return DrawingId{rng.below(9)};
+  return d.drawings[rng.below(static_cast<std::uint32_t>(d.drawings.size()))]->id;
+}
+LineId anyLine(Rng& rng, const Document& d, DrawingId id) {
+  const Drawing* drawing = findDrawing(d, id);
+  if (drawing == nullptr || drawing->lines.empty() || rng.below(20) == 0) return LineId{rng.below(9)};
+  return drawing->lines[rng.below(static_cast<std::uint32_t>(drawing->lines.size()))].id;
+}
+/// Of one drawing as often as not.
+PartId anyPiece(Rng& rng, const Document& d) {
+  const std::vector<const Part*> pieces = piecesOf(d, anyDrawing(rng, d));
+  return pieces.empty() ? anyPart(rng, d) : pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id;
+}
+PicturePoint anyPlace(Rng& rng) { return {rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; }
+
+template <>
+struct Make<DrawLine> {
+  static DrawLine from(Rng& rng, const Document& d) {
+    const bool closed = rng.below(3) != 0;
+    return {anyPicture(rng, d),
+            closed ? anyRegion(rng, d).contours.front() : anyStroke(rng),
+            anyStretches(rng),
+            closed,
+            {}};
+  }
+};
+template <>
+struct Make<CloseLine> {
+  static CloseLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing), {}};
+  }
+};
+template <>
+struct Make<HideLine> {
+  static HideLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing), anyStretches(rng)};
+  }
+};
+template <>
+struct Make<DeleteLine> {
+  static DeleteLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing)};
+  }
+};
+template <>
+struct Make<OrderPieces> {
+  static OrderPieces from(Rng& rng, const Document& d) { return {anyPiece(rng, d), anyPiece(rng, d), anyPlace(rng)}; }
+};
+template <>
+struct Make<PinDepth> {
+  static PinDepth from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    const bool given = rng.below(4) != 0;
+    return {drawing, anyLine(rng, d, drawing), rng.uniform(-0.05, 1.05),
+            given ? std::optional(rng.uniform(-30, 30)) : std::nullopt};
+  }
+};
+template <>
+struct Make<ShapePiece> {
+  static ShapePiece from(Rng& rng, const Document& d) {
+    return {anyPiece(rng, d), static_cast<descriptive::PieceKind>(rng.below(3))};
   }
 };
 
