@@ -12,6 +12,7 @@
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
+#include "web/words/words.h"
 
 namespace spineloft::panels {
 namespace {
@@ -105,7 +106,7 @@ void ring(const PanelEnv& env, ImDrawList& list, ImVec2 at, bool hot, bool withW
   list.AddCircle(at, r, kHalo, 28, 5.f);
   list.AddCircle(at, r, kFailure, 28, 2.4f);
   if (!withWords) return;
-  const std::string_view text = shortened(env.fonts.small, "not closed here", 200);
+  const std::string_view text = shortened(env.fonts.small, words::text("not closed here"), 200);
   const ImVec2 size = extentOf(env.fonts.small, text);
   const app::Rect& view = env.ui().layout.picture;
   ImVec2 low{at.x + r + 6, at.y - size.y / 2 - 3};
@@ -113,7 +114,7 @@ void ring(const PanelEnv& env, ImDrawList& list, ImVec2 at, bool hot, bool withW
   const ImVec2 high{low.x + size.x + 12, low.y + size.y + 6};
   list.AddRectFilled(low, high, faded(kHalo, 235), 8);
   drawLine(list, {env.fonts.small, {low.x + 6, low.y + 3}, kFailure}, text);
-  registerWords(env, "not closed here", low, high);
+  registerWords(env, words::text("not closed here"), low, high);
 }
 
 }  // namespace

@@ -173,13 +173,15 @@ TEST_CASE("lines that cannot be are refused with their reason, and nothing chang
   for (int i = 0; i < 100001; ++i) endless.push_back({10 + i % 900 * 1.0, 10 + i % 7 * 100.0});
   CHECK(errorOf(document, DrawLine{kPaper, endless}) == Error::ValueOutOfRange);
   Document many = paper();
+  Drawing full;
+  full.id = kDrawing;
+  full.picture = kPaper;
   for (std::size_t i = 0; i < descriptive::kMostLines; ++i) {
     const double x = 10 + 40.0 * static_cast<double>(i % 24), y = 10 + 35.0 * static_cast<double>(i / 24);
-    many.lastDrawingId = 1;
-    Drawing drawing = many.drawings.empty() ? Drawing{kDrawing, kPaper} : *many.drawings[0];
-    drawing.lines.push_back({LineId{++drawing.lastLineId}, {{x, y}, {x + 10, y + 5}}});
-    many.drawings = {drawing};
+    full.lines.push_back({LineId{++full.lastLineId}, {{x, y}, {x + 10, y + 5}}, {}, false});
   }
+  many.drawings = {full};
+  many.lastDrawingId = 1;
   CHECK(errorOf(many, DrawLine{kPaper, fine}) == Error::ValueOutOfRange);
 }
 
