@@ -126,7 +126,7 @@ class Asker {
     }
     orders_.contradictions.push_back({names, places_[broken.clause]});
   }
-  /// What dips goes into the frontmost of what is round it.
+  /// What dips goes into the frontmost of what is round it, unless an order is given there.
   void settleInsides() {
     for (OrderedStretch& stretch : orders_.stretches) {
       if (!stretch.dips) continue;
@@ -136,6 +136,7 @@ class Asker {
         if (between && orders_.orders[*between].over == stretch.cover[k]) front = k;
       }
       Order& order = orders_.orders[stretch.at[front]];
+      if (order.from == OrderFrom::User) continue;
       order = {stretch.cover[front], stretch.piece, OrderKind::Inside, order.from};
       stretch.index = 0.5;
     }

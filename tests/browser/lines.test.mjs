@@ -166,7 +166,7 @@ test('bridges by keyboard and by a screen reader; round and flat; a reload and t
     await run(page, 'new-sketch', { width: 600, height: 450 });
     await idle(page);
     await page.locator('#canvas').focus();
-    await page.keyboard.press('z');
+    await page.keyboard.press('Shift+L');
     await idle(page);
     assert.equal((await state(page)).tool, 'lines');
     const lines = [

@@ -318,7 +318,8 @@ LineId anyLine(Rng& rng, const Document& d, DrawingId id) {
 }
 /// Of one drawing as often as not.
 PartId anyPiece(Rng& rng, const Document& d) {
-  const std::vector<const Part*> pieces = piecesOf(d, anyDrawing(rng, d));
+  const bool first = !d.drawings.empty() && rng.below(2) == 0;
+  const std::vector<const Part*> pieces = piecesOf(d, first ? d.drawings.front()->id : anyDrawing(rng, d));
   return pieces.empty() ? anyPart(rng, d) : pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id;
 }
 PicturePoint anyPlace(Rng& rng) { return {rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; }
@@ -327,7 +328,8 @@ template <>
 struct Make<DrawLine> {
   static DrawLine from(Rng& rng, const Document& d) {
     const bool closed = rng.below(3) != 0;
-    return {anyPicture(rng, d),
+    const bool more = !d.drawings.empty() && rng.below(2) == 0;
+    return {more ? d.drawings.front()->picture : anyPicture(rng, d),
             closed ? anyRegion(rng, d).contours.front() : anyStroke(rng),
             anyStretches(rng),
             closed,
@@ -357,7 +359,15 @@ struct Make<DeleteLine> {
 };
 template <>
 struct Make<OrderPieces> {
-  static OrderPieces from(Rng& rng, const Document& d) { return {anyPiece(rng, d), anyPiece(rng, d), anyPlace(rng)}; }
+  static OrderPieces from(Rng& rng, const Document& d) {
+    const PartId over = anyPiece(rng, d);
+    const Part* part = findPart(d, over);
+    const ElementRecipe* element = part ? elementOf(*part) : nullptr;
+    const std::vector<const Part*> pieces = piecesOf(d, element ? element->drawing : DrawingId{});
+    const bool near = !pieces.empty() && rng.below(8) != 0;
+    return {over, near ? pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id : anyPart(rng, d),
+            anyPlace(rng)};
+  }
 };
 template <>
 struct Make<PinDepth> {
@@ -496,6 +506,11 @@ document::Action randomAction(Rng& rng, const document::Document& document) {
   const std::size_t combine = Action(CombineParts{}).index(), lastOfSteps = Action(SetStepLook{}).index();
   if (which > combine && which <= lastOfSteps && document.steps.empty()) which = combine;
   if (which == combine && document.parts.size() < 2) which = 2;
+  // And what is asked of lines and pieces.
+  const std::size_t line = Action(DrawLine{}).index(), order = Action(OrderPieces{}).index();
+  const bool pair = !document.drawings.empty() && piecesOf(document, document.drawings.front()->id).size() > 1;
+  if (which > line && document.drawings.empty()) which = line;
+  if (which == order && !pair) which = line;
   return makeAction(std::make_index_sequence<kActions>{}, which, rng, document);
 }
 

@@ -142,7 +142,7 @@ constexpr Argument kPoints{"points"}, kLine{"line"}, kOver{"over"};
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "lines", .label = "Lines", .icon = "line-squiggle", .shortcut = "Z", .group = "tool",
+    Command{.id = "lines", .label = "Lines", .icon = "line-squiggle", .shortcut = "Shift+L", .group = "tool",
             .hint = "Draw lines, seen and hidden: what they close becomes a piece", .enabled = hasPicture,
             .toggled = linesTool, .run = useLines},
     Command{.id = "seen-pen", .label = "Seen", .icon = "pencil-line", .group = "tool",
@@ -201,12 +201,29 @@ std::vector<document::PlaceParts::One> placesOf(Env env, const document::Documen
   return places;
 }
 
+/// What lines of the picture say and cannot be.
+std::size_t contradictions(Env env, PictureId picture) {
+  std::size_t count = 0;
+  for (const pipeline::DerivedDrawing& one : env.studio.derived().drawings) {
+    const document::Drawing* drawing = document::findDrawing(env.studio.document(), one.id);
+    if (drawing != nullptr && drawing->picture == picture) count += one.shape->model.orders.contradictions.size();
+  }
+  return count;
+}
+
+/// Says so where the last line contradicts those that were there.
+void tellContradiction(Env env, PictureId picture, std::size_t before) {
+  if (contradictions(env, picture) <= before) return;
+  sendHint(env.host, "Two pieces are both drawn as in front. Tap the bridge there to swap them.");
+}
+
 /// Carries a line out and takes the piece that comes of it in hand.
 Outcome closing(Env env, const document::Action& action, PictureId picture) {
   const document::Document& document = env.studio.document();
   const PartId last{document.lastPartId};
   const Result<document::Document> next = document::update(document, action);
   if (!next) return refuse(next.failure());
+  const std::size_t contradicted = contradictions(env, picture);
   std::vector<document::Action> actions{action};
   if (auto places = placesOf(env, next.value(), picture, last); !places.empty()) {
     actions.push_back(document::PlaceParts{std::move(places)});
@@ -214,6 +231,7 @@ Outcome closing(Env env, const document::Action& action, PictureId picture) {
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
   env.ui.newPart.reset();
   env.ui.redraw = {};
+  tellContradiction(env, picture, contradicted);
   const document::Part* made = nullptr;
   for (const document::Part& part : env.studio.document().parts) {
     if (part.id > last) made = &part;

@@ -114,7 +114,6 @@ void ring(const PanelEnv& env, ImDrawList& list, ImVec2 at, bool hot, bool withW
   const ImVec2 high{low.x + size.x + 12, low.y + size.y + 6};
   list.AddRectFilled(low, high, faded(kHalo, 235), 8);
   drawLine(list, {env.fonts.small, {low.x + 6, low.y + 3}, kFailure}, text);
-  registerWords(env, words::text("not closed here"), low, high);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 TEST_CASE("every document of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
   for (const std::uint64_t seed : testing::seeds(0, 60)) {
-    const std::vector<Document> documents = randomSession(seed, 60, &succeeded);
+    const std::vector<Document> documents = randomSession(seed, 90, &succeeded);
     for (std::size_t i = seed % 7; i < documents.size(); i += 7) {
       ReadNotes notes;
       const std::string text = writeDocument(documents[i]);

@@ -64,7 +64,9 @@ TEST_CASE("every piece of a drawing is a lawful solid, and legs whose hips are h
   REQUIRE(derived.drawings.size() == 1);
   const DrawingShape& shape = *derived.drawings[0].shape;
   CHECK(shape.openEnds.empty());
-  CHECK(shape.model.orders.contradictions.empty());
+  // The tail is drawn over the body, and all of both is seen.
+  REQUIRE(shape.model.orders.contradictions.size() == 1);
+  CHECK(shape.model.orders.contradictions[0].pieces == std::vector<std::uint32_t>{0, 3});
   for (const std::size_t leg : {1u, 2u}) {
     // Within the overlap: nothing of the leg is before the front of the body, nor behind it all the way.
     const PicturePoint at = onBelly(leg == 1 ? 395 : 595) - PicturePoint{0, 25};
@@ -152,7 +154,7 @@ TEST_CASE("a preview of a piece is what the change makes of it") {
 
 TEST_CASE("lines that wait have open ends; a piece that is no solid says why and leaves the others") {
   const Document open =
-      after({}, {AddSketch{"paper", {1000, 800}}, DrawLine{PictureId{1}, {{300, 300}, {200, 400}, {300, 500}}}});
+      after({}, {AddSketch{"paper", {1000, 800}}, DrawLine{PictureId{1}, {{120, 100}, {60, 200}, {120, 300}}}});
   Cache cache;
   const Derived waiting = derive(open, cache);
   REQUIRE(waiting.drawings.size() == 1);
@@ -162,7 +164,7 @@ TEST_CASE("lines that wait have open ends; a piece that is no solid says why and
   // A piece of two straight lines on each other encloses nothing.
   Drawing drawing = document.drawings[0];
   const LineId flat{++drawing.lastLineId};
-  drawing.lines.push_back({flat, {{100, 700}, {300, 700}}});
+  drawing.lines.push_back({flat, {{100, 700}, {300, 700}}, {}, false});
   document.drawings = {drawing};
   Part part;
   part.id = PartId{++document.lastPartId};

@@ -85,6 +85,13 @@ struct Lines : Rig {
   bool hiddenInHand = false;
 };
 
+/// The document within a history: the keys are in the order of the alphabet, and it is the last one.
+std::string presentOf(const std::string& history) {
+  const std::size_t at = history.find(R"("present":)");
+  REQUIRE(at != std::string::npos);
+  return history.substr(at);
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -106,13 +113,14 @@ TEST_CASE(
     CHECK(page.drawing().find("contradictions")->array()->size() <= 1);  // the tail is drawn over the body, all seen
     const auto bridges = page.bridges();
     REQUIRE(bridges.size() == 3);
-    for (const auto& [over, under] : bridges) CHECK((under == 4 || over == 1));
+    for (const auto& [over, under] : bridges) {
+      if (over == 2 || under == 2 || over == 3 || under == 3) CHECK(over == 1);  // legs are behind the body
+    }
     for (int i = 0; i < 6; ++i) CHECK(page.works("undo"));
     CHECK(page.parts() == 0);
     CHECK(page.state().find("drawings")->array()->empty());
     const std::string back = page.app->history();
-    CHECK(back.substr(0, back.find(R"(,"future")")).size() > 0);
-    CHECK(back.find(R"("present":)") == start.find(R"("present":)"));
+    CHECK(presentOf(back) == presentOf(start));
     for (int i = 0; i < 6; ++i) CHECK(page.works("redo"));
     CHECK(page.parts() == 4);
   }
