@@ -60,6 +60,12 @@ PicturePoint nearestOnLine(const std::vector<PicturePoint>& line, bool closed, P
   return best;
 }
 
+bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
+  return std::ranges::any_of(drawing.lines, [&](const document::DrawnLine& line) {
+    return distance(nearestOnLine(line.points, line.closed, p), p) <= reach;
+  });
+}
+
 /// Brings the last point of a line to what is there.
 void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoint>& line) {
   std::optional<PicturePoint> end;
@@ -189,7 +195,10 @@ MeantLine meantLine(const document::Drawing* drawing, const std::vector<PictureP
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
   const double gap = distance(points.front(), points.back());
-  meant.closed = points.size() > 3 && gap <= reach && length > kLongEnough * std::max(gap, reach);
+  // What begins and ends on a line at two places is closed by that line.
+  const bool onLines = gap > reach / 2 && drawing != nullptr && isOnLine(*drawing, points.front(), reach) &&
+                       isOnLine(*drawing, points.back(), reach);
+  meant.closed = points.size() > 3 && gap <= reach && length > kLongEnough * std::max(gap, reach) && !onLines;
   if (!meant.closed && drawing != nullptr) {
     meet(*drawing, reach, points);
     std::ranges::reverse(points);

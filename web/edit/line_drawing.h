@@ -49,8 +49,9 @@ struct MeantLine {
   std::vector<PicturePoint> points;  ///< without what a hand adds by trembling
   bool closed = false;
 };
-/// Ends within reach of each other close a line; any other end within reach of an end of the drawing's lines goes
-/// there; else, within reach of a line, it goes onto it, and what runs past it is cut. `drawing` may be null.
+/// Ends within reach of each other close a line, unless both lie on lines that are there; any other end within reach of
+/// an end of the drawing's lines goes there; else, within reach of a line, it goes onto it, and what runs past it is
+/// cut. `drawing` may be null.
 MeantLine meantLine(const document::Drawing* drawing, const std::vector<PicturePoint>& line, double reach);
 
 }  // namespace spineloft::app

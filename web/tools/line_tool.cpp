@@ -8,7 +8,7 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr double kCloses = 14, kTouchCloses = 24;  // CSS pixels between ends that are meant to meet
+constexpr double kCloses = 14, kTouchCloses = 18;  // CSS pixels between ends that are meant to meet
 
 }  // namespace
 

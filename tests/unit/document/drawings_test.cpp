@@ -8,6 +8,7 @@
 #include "engine/document/pieces.h"
 #include "engine/document/renumber.h"
 #include "engine/document/update.h"
+#include "tests/support/after.h"
 #include "tests/support/line_creature.h"
 
 using namespace spineloft;
@@ -19,18 +20,6 @@ namespace {
 constexpr PictureId kPaper{1};
 constexpr DrawingId kDrawing{1};
 
-Document after(Document document, const std::vector<Action>& actions) {
-  for (const Action& action : actions) {
-    Result<Document> next = update(document, action);
-    REQUIRE_MESSAGE(next.ok(), failureSentence(next.ok() ? Failure{} : next.failure()));
-    document = std::move(next).value();
-  }
-  return document;
-}
-Error errorOf(const Document& document, const Action& action) {
-  const Result<Document> next = update(document, action);
-  return next.ok() ? Error::kCount : next.error();
-}
 Document paper() { return after({}, {AddSketch{"paper", {1000, 800}}}); }
 Document drawnCreature() { return after(paper(), creature(kPaper)); }
 

@@ -10,6 +10,7 @@
 #include "engine/document/pieces.h"
 #include "engine/document/update.h"
 #include "engine/pipeline/derive.h"
+#include "tests/support/after.h"
 #include "tests/support/line_creature.h"
 #include "tests/support/mesh_laws.h"
 
@@ -22,14 +23,6 @@ namespace {
 
 constexpr DrawingId kDrawing{1};
 
-Document after(Document document, const std::vector<Action>& actions) {
-  for (const Action& action : actions) {
-    Result<Document> next = update(document, action);
-    REQUIRE_MESSAGE(next.ok(), failureSentence(next.ok() ? Failure{} : next.failure()));
-    document = std::move(next).value();
-  }
-  return document;
-}
 Document drawnCreature() {
   return after({}, [] {
     std::vector<Action> actions{AddSketch{"paper", {1000, 800}}};
