@@ -3,7 +3,7 @@
 // inside, sRGB out.
 precision highp float;
 uniform sampler2D picture;  // sRGB
-uniform vec3 colour, second;  // sRGB; the second one below `split`
+uniform vec3 colour, second;  // linear; the second one below `split`
 uniform float split;
 uniform int finish;  // 0 plain, 1 clay, 2 glaze, 3 metal
 uniform float textured, glow;
@@ -12,9 +12,6 @@ in vec2 at;
 in float modelHeight;
 out vec4 result;
 
-vec3 decode(vec3 srgb) {
-  return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb));
-}
 vec3 encode(vec3 linear) {
   return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0), vec3(1.0 / 2.4)) - 0.055,
              step(0.0031308, linear));
@@ -45,7 +42,7 @@ void main() {
   vec3 v = normalize(-eyePosition);
   vec3 key = normalize(vec3(-0.45, 0.65, 0.75));
   float soft = max(fwidth(modelHeight), 1e-5);
-  vec3 plain = decode(mix(second, colour, smoothstep(split - soft, split + soft, modelHeight)));
+  vec3 plain = mix(second, colour, smoothstep(split - soft, split + soft, modelHeight));
   vec4 texel = texture(picture, at);
   vec3 albedo = textured > 0.5 ? mix(plain, texel.rgb, texel.a) : plain;
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/geometry/axis_clip.h"
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/inflate/crossing.h"
@@ -47,9 +48,7 @@ bool isMirrored(const Curves& curves) {
   const auto away = [&](SectionPoint p) {
     double least = INFINITY;
     for (const Curve& curve : curves) {
-      for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
-        least = std::min(least, geometry::distanceToSegment(p, curve[j], curve[i]));
-      }
+      least = std::min(least, geometry::distanceToLine(p, std::span(curve), true));
     }
     return least;
   };

@@ -1,9 +1,8 @@
 #include "engine/pipeline/outline_ink.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "engine/geometry/polyline.h"
+#include "engine/geometry/line_distance.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -30,12 +29,8 @@ std::vector<Line> outlinesOf(const PartShape& shape) {
 
 /// Whether the point is within `reach` of one of the closed lines.
 bool liesAlong(const std::vector<Line>& outlines, PicturePoint p, double reach) {
-  return std::ranges::any_of(outlines, [&](const Line& line) {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      if (geometry::distanceToSegment(p, line[i], line[(i + 1) % line.size()]) <= reach) return true;
-    }
-    return false;
-  });
+  return std::ranges::any_of(
+      outlines, [&](const Line& line) { return geometry::distanceToLine(p, std::span(line), true) <= reach; });
 }
 
 /// The stretches of the stroke along the outlines.

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
 #include "engine/pipeline/silhouette.h"
 
@@ -69,14 +70,6 @@ std::vector<PicturePoint> borderOf(const image::Mask& mask) {
   return border;
 }
 
-double toRing(PicturePoint p, const Ring& ring) {
-  double least = INFINITY;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    least = std::min(least, geometry::distanceToSegment(p, ring[i], ring[j]));
-  }
-  return least;
-}
-
 /// Distances of points of the ring, about every four cells, to the border.
 void toBorder(const Ring& ring, std::span<const PicturePoint> border, std::vector<double>& distances) {
   Ring closed = ring;
@@ -129,7 +122,8 @@ OutlineMatch matchOutline(const mesh::TriMesh& modelSpace, const std::optional<g
   const std::vector<PicturePoint> border = borderOf(found);
   if (border.empty() || either == 0) return {};
   std::vector<double> distances;
-  for (const PicturePoint p : border) distances.push_back(toRing(p, ring));
+  for (const PicturePoint p : border)
+    distances.push_back(geometry::distanceToLine(p, std::span<const PicturePoint>(ring), true));
   toBorder(ring, border, distances);
   OutlineMatch match{both / either, *std::ranges::max_element(distances) / kCells, 0};
   for (const double away : distances) match.mean += away / kCells / static_cast<double>(distances.size());

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "engine/geometry/circle_cubic.h"
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
 
 namespace spineloft::sections {
@@ -40,13 +40,6 @@ void flatten(const Cubic& c, int depth, std::vector<SectionPoint>& out) {
   const SectionPoint ab = middle(a, b), bd = middle(b, d), at = middle(ab, bd);
   flatten({c[0], a, ab, at}, depth - 1, out);
   flatten({at, bd, d, c[3]}, depth - 1, out);
-}
-
-double distanceTo(std::span<const SectionPoint> line, SectionPoint p) {
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i)
-    best = std::min(best, geometry::distanceToSegment(p, line[i - 1], line[i]));
-  return best;
 }
 
 /// Arc length along a closed polygon, for looking some way ahead and back.
@@ -169,7 +162,8 @@ DrawnCurve fitCurve(const Chain& drawn, const FitParams& params) {
       if (end <= order[k]) end += chain.points.size();
       double most = params.tolerance;
       for (std::size_t i = order[k] + 1; i < end; ++i) {
-        const double off = distanceTo(stretch, chain.points[i % chain.points.size()]);
+        const double off =
+            geometry::distanceToLine(chain.points[i % chain.points.size()], std::span<const SectionPoint>(stretch));
         if (off > most) {
           most = off;
           at = i % chain.points.size() + 1;

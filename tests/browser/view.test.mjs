@@ -21,8 +21,6 @@ import {
 } from './support/page.mjs';
 import { loadWithThree } from './support/three.mjs';
 
-const kit = useSite();
-
 /** A second engine starts beside the first, and without a graphics card. */
 const kPatience = 120_000;
 
@@ -36,6 +34,22 @@ async function drawOnPaper(page) {
 }
 
 const linkOf = (page) => page.evaluate(() => window.spineloft.shareLink());
+
+/** The model on paper as a link, its text and a GLB, for the tests that only look at it. */
+const model = {};
+const kit = useSite((site) =>
+  onPage(site, { alone: true }, async (page) => {
+    await drawOnPaper(page);
+    const { url, text } = await linkOf(page);
+    // A GLB of what the text keeps of it.
+    await page.evaluate(async (one) => {
+      await window.spineloft.openShareText(one);
+      await window.spineloft.idle();
+    }, text);
+    Object.assign(model, { url, text, glb: await exported(page, 'glb') });
+  }),
+);
+
 const shown = (page) => page.locator('body[data-state=shown]').waitFor({ timeout: kPatience });
 
 /** Opens an address of the site in a page of its own, without the graphics' help, as whoever gets a link does. */
@@ -115,11 +129,10 @@ test('a link shows the model first and touches nothing; "Make it mine" opens a c
     await other.close();
   }));
 
-test('a link that is cut off, altered, of a later version or none says which, and offers the page', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const { url, text } = await linkOf(page);
-    const start = url.slice(0, -text.length);
+test('a link that is cut off, altered, of a later version or none says which, and offers the page', async () => {
+  const { text, url } = model;
+  const start = url.slice(0, -text.length);
+  await visit('about:blank', async (page) => {
     for (const [link, sentence] of [
       [url.slice(0, -5), /^The end of that link is missing.*5 characters/],
       [`${url.slice(0, -5)}-----`, /^That link has been changed on its way/],
@@ -128,14 +141,15 @@ test('a link that is cut off, altered, of a later version or none says which, an
       [`${start}${'1'.padEnd(1_048_600, 'A')}`, /not enough memory|changed on its way/],
       [start.replace('#m=', ''), /no model of SpineLoft in that link/],
     ]) {
-      await visit(link, async (other) => {
-        await other.locator('body[data-state=failed]').waitFor({ timeout: kPatience });
-        assert.match(await other.getByRole('status').first().innerText(), sentence);
-        assert.ok(await other.getByRole('link', { name: 'Go to SpineLoft' }).isVisible());
-        assert.ok(await other.locator('#foot').isHidden());
-      });
+      await page.goto('about:blank');
+      await page.goto(link);
+      await page.locator('body[data-state=failed]').waitFor({ timeout: kPatience });
+      assert.match(await page.getByRole('status').first().innerText(), sentence);
+      assert.ok(await page.getByRole('link', { name: 'Go to SpineLoft' }).isVisible());
+      assert.ok(await page.locator('#foot').isHidden());
     }
-  }));
+  });
+});
 
 function coloursOf({ data }) {
   const colours = new Set();
@@ -156,83 +170,72 @@ async function drawnPicture(host) {
   return last;
 }
 
-test('the viewer shows what the GLB of the page shows: as many triangles, the same size, the same pixels', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const { url, text } = await linkOf(page);
-    await page.evaluate(async (one) => {
-      await window.spineloft.openShareText(one);
-      await window.spineloft.idle();
-    }, text);
-    const glb = await exported(page, 'glb');
-    const measured = await loadWithThree(kit.browser, glb);
-    const pictures = [];
-    const options = { reducedMotion: 'reduce', ...kSharp };
-    await visitEmbedded(
-      'view.html',
-      async (host) => {
-        await told(host, 'spineloft:ready');
-        for (const show of [() => showGlb(host, glb, 'By hand'), () => ask(host, { type: 'spineloft:show', text })]) {
-          await host.evaluate(() => (window.told.length = 0));
-          await show();
-          const facts = await told(host, 'spineloft:shown');
-          assert.equal(facts.triangles, measured.triangles);
-          facts.size.forEach((side, i) => assert.ok(Math.abs(side / measured.size[i] - 1) < 1e-5, `${facts.size}`));
-          await ask(host, { type: 'spineloft:look', yaw: 20, pitch: 10 });
-          pictures.push(await drawnPicture(host));
-        }
-      },
-      options,
-    );
-    assert.ok(difference(pictures[0], pictures[1]) < 0.002, `${difference(pictures[0], pictures[1])}`);
-    // Something is there to see.
-    assert.ok(coloursOf(pictures[0]) > 100, `${coloursOf(pictures[0])} colours`);
-    assert.match(url, /view\.html#m=/);
-  }));
-
-test('a viewer of a GLB loads at most 300 KB without the model, needs no header, and asks no other host', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const glb = await exported(page, 'glb');
-    const asked = new Set();
-    await visitEmbedded('about:blank', async (host) => {
-      host.on('request', (request) => asked.add(request.url()));
-      await host.evaluate(() => document.querySelector('#frame').setAttribute('src', 'view.html'));
+test('the viewer shows what the GLB of the page shows: as many triangles, the same size, the same pixels', async () => {
+  const { glb, text, url } = model;
+  const measured = await loadWithThree(kit.browser, glb);
+  const pictures = [];
+  const options = { reducedMotion: 'reduce', ...kSharp };
+  await visitEmbedded(
+    'view.html',
+    async (host) => {
       await told(host, 'spineloft:ready');
-      await showGlb(host, glb, 'Small');
-      await told(host, 'spineloft:shown');
-    });
-    const files = [...asked].filter((url) => /^http/.test(url)).map((url) => new URL(url).pathname);
-    assert.ok(files.includes('/view.html') && files.length >= 3, files.join(' '));
-    const bytes = files.reduce((sum, file) => sum + brotliCompressSync(readFileSync(join(distDir, file))).length, 0);
-    assert.ok(bytes <= 300 * 1024, `${bytes} bytes: ${files.join(' ')}`);
-  }));
+      for (const show of [() => showGlb(host, glb, 'By hand'), () => ask(host, { type: 'spineloft:show', text })]) {
+        await host.evaluate(() => (window.told.length = 0));
+        await show();
+        const facts = await told(host, 'spineloft:shown');
+        assert.equal(facts.triangles, measured.triangles);
+        facts.size.forEach((side, i) => assert.ok(Math.abs(side / measured.size[i] - 1) < 1e-5, `${facts.size}`));
+        await ask(host, { type: 'spineloft:look', yaw: 20, pitch: 10 });
+        pictures.push(await drawnPicture(host));
+      }
+    },
+    options,
+  );
+  assert.ok(difference(pictures[0], pictures[1]) < 0.002, `${difference(pictures[0], pictures[1])}`);
+  // Something is there to see.
+  assert.ok(coloursOf(pictures[0]) > 100, `${coloursOf(pictures[0])} colours`);
+  assert.match(url, /view\.html#m=/);
+});
 
-test('inside another page the poster is first, and the page is told what happens', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const { text } = await linkOf(page);
-    const dot =
-      'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==';
-    await visitEmbedded(`view.html#m=${text}&poster=${dot}`, async (host, frame) => {
-      await told(host, 'spineloft:ready');
-      assert.equal(await frame.locator('#poster').getAttribute('src'), dot);
-      assert.equal(await host.evaluate(() => window.told.length), 1);
-      await frame.getByRole('button', { name: 'Show the model' }).click();
-      const { name, triangles } = await told(host, 'spineloft:shown');
-      assert.ok(triangles > 100 && name.length > 0);
-      assert.equal(await frame.getByRole('link', { name: 'Make it mine' }).getAttribute('target'), '_blank');
-      // It turns by itself until somebody takes hold of it.
-      const turn = frame.getByRole('button', { name: 'Turn' });
-      assert.equal(await turn.getAttribute('aria-pressed'), 'true');
-      await frame.locator('#canvas').press('ArrowLeft');
-      assert.equal(await turn.getAttribute('aria-pressed'), 'false');
-      await ask(host, { type: 'spineloft:turn', on: true });
-      await frame.locator('#spin[aria-pressed=true]').waitFor();
-      await ask(host, { type: 'spineloft:show', text: `${text}A` });
-      assert.equal((await told(host, 'spineloft:failed')).code, 'LinkAltered');
-    });
-  }));
+test('a viewer of a GLB loads at most 300 KB without the model, needs no header, and asks no other host', async () => {
+  const { glb, url } = model;
+  const asked = new Set();
+  await visitEmbedded('about:blank', async (host) => {
+    host.on('request', (request) => asked.add(request.url()));
+    await host.evaluate(() => document.querySelector('#frame').setAttribute('src', 'view.html'));
+    await told(host, 'spineloft:ready');
+    await showGlb(host, glb, 'Small');
+    await told(host, 'spineloft:shown');
+  });
+  const files = [...asked].filter((url) => /^http/.test(url)).map((url) => new URL(url).pathname);
+  assert.ok(files.includes('/view.html') && files.length >= 3, files.join(' '));
+  const bytes = files.reduce((sum, file) => sum + brotliCompressSync(readFileSync(join(distDir, file))).length, 0);
+  assert.ok(bytes <= 300 * 1024, `${bytes} bytes: ${files.join(' ')}`);
+});
+
+test('inside another page the poster is first, and the page is told what happens', async () => {
+  const { text } = model;
+  const dot =
+    'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==';
+  await visitEmbedded(`view.html#m=${text}&poster=${dot}`, async (host, frame) => {
+    await told(host, 'spineloft:ready');
+    assert.equal(await frame.locator('#poster').getAttribute('src'), dot);
+    assert.equal(await host.evaluate(() => window.told.length), 1);
+    await frame.getByRole('button', { name: 'Show the model' }).click();
+    const { name, triangles } = await told(host, 'spineloft:shown');
+    assert.ok(triangles > 100 && name.length > 0);
+    assert.equal(await frame.getByRole('link', { name: 'Make it mine' }).getAttribute('target'), '_blank');
+    // It turns by itself until somebody takes hold of it.
+    const turn = frame.getByRole('button', { name: 'Turn' });
+    assert.equal(await turn.getAttribute('aria-pressed'), 'true');
+    await frame.locator('#canvas').press('ArrowLeft');
+    assert.equal(await turn.getAttribute('aria-pressed'), 'false');
+    await ask(host, { type: 'spineloft:turn', on: true });
+    await frame.locator('#spin[aria-pressed=true]').waitFor();
+    await ask(host, { type: 'spineloft:show', text: `${text}A` });
+    assert.equal((await told(host, 'spineloft:failed')).code, 'LinkAltered');
+  });
+});
 
 test('a poster is a picture in the address and nothing else, and a GLB is of the own site', async () => {
   const site = kit.sites.false.url;
@@ -244,63 +247,59 @@ test('a poster is a picture in the address and nothing else, and a GLB is of the
   });
 });
 
-test('mouse, finger and keys turn the model; who wants less motion sees it stand still', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const { url } = await linkOf(page);
-    await visit(url, async (other) => {
-      await shown(other);
-      assert.equal(await other.locator('#spin').getAttribute('aria-pressed'), 'false');
-      const middle = { x: kWindow.width / 2, y: kWindow.height / 2 };
-      const clip = { x: middle.x - 200, y: middle.y - 150, width: 400, height: 300 };
-      const settled = async () => {
-        await other.waitForTimeout(300);
-        return pixels(other, clip);
-      };
-      const first = await settled();
-      assert.equal(difference(first, await settled()), 0);
-      await other.mouse.move(middle.x, middle.y);
-      await other.mouse.down();
-      await other.mouse.move(middle.x + 120, middle.y + 10, { steps: 4 });
-      await other.mouse.up();
-      const dragged = await settled();
-      assert.ok(difference(first, dragged) > 0.01, 'a drag');
-      await other.locator('#canvas').press('ArrowUp');
-      const tipped = await settled();
-      assert.ok(difference(dragged, tipped) > 0.01, 'a key');
-      await other.locator('#canvas').press('h');
-      assert.ok(difference(first, await settled()) < 0.002, 'home');
-    });
-  }));
+test('mouse, finger and keys turn the model; who wants less motion sees it stand still', async () => {
+  const { url } = model;
+  await visit(url, async (other) => {
+    await shown(other);
+    assert.equal(await other.locator('#spin').getAttribute('aria-pressed'), 'false');
+    const middle = { x: kWindow.width / 2, y: kWindow.height / 2 };
+    const clip = { x: middle.x - 200, y: middle.y - 150, width: 400, height: 300 };
+    const settled = async () => {
+      await other.waitForTimeout(300);
+      return pixels(other, clip);
+    };
+    const first = await settled();
+    assert.equal(difference(first, await settled()), 0);
+    await other.mouse.move(middle.x, middle.y);
+    await other.mouse.down();
+    await other.mouse.move(middle.x + 120, middle.y + 10, { steps: 4 });
+    await other.mouse.up();
+    const dragged = await settled();
+    assert.ok(difference(first, dragged) > 0.01, 'a drag');
+    await other.locator('#canvas').press('ArrowUp');
+    const tipped = await settled();
+    assert.ok(difference(dragged, tipped) > 0.01, 'a key');
+    await other.locator('#canvas').press('h');
+    assert.ok(difference(first, await settled()) < 0.002, 'home');
+  });
+});
 
-test('"In your room" loads <model-viewer> from the own site when the device can show it', () =>
-  onPage(kit, { alone: true }, async (page) => {
-    await drawOnPaper(page);
-    const { url } = await linkOf(page);
-    await visit(url, async (other) => {
-      await shown(other);
-      assert.ok(await other.locator('#ar').isHidden());
+test('"In your room" loads <model-viewer> from the own site when the device can show it', async () => {
+  const { url } = model;
+  await visit(url, async (other) => {
+    await shown(other);
+    assert.ok(await other.locator('#ar').isHidden());
+  });
+  const opened = await openPage(kit.browser, 'about:blank', { viewport: kWindow, reducedMotion: 'reduce' });
+  try {
+    const other = opened.page;
+    await other.addInitScript(() => {
+      Object.defineProperty(navigator, 'xr', { value: { isSessionSupported: async () => true } });
     });
-    const opened = await openPage(kit.browser, 'about:blank', { viewport: kWindow, reducedMotion: 'reduce' });
-    try {
-      const other = opened.page;
-      await other.addInitScript(() => {
-        Object.defineProperty(navigator, 'xr', { value: { isSessionSupported: async () => true } });
-      });
-      const away = [];
-      other.on('request', (request) => {
-        if (/^http/.test(request.url()) && !request.url().startsWith(kit.sites.true.url)) away.push(request.url());
-      });
-      await other.goto(url);
-      await shown(other);
-      await other.getByRole('button', { name: 'In your room' }).click();
-      await other.waitForFunction(() => document.querySelector('model-viewer')?.loaded === true, null, {
-        timeout: kPatience,
-      });
-      await other.getByRole('button', { name: 'Close' }).click();
-      assert.equal(await other.locator('model-viewer').count(), 0);
-      assert.deepEqual(away, []);
-    } finally {
-      await opened.close();
-    }
-  }));
+    const away = [];
+    other.on('request', (request) => {
+      if (/^http/.test(request.url()) && !request.url().startsWith(kit.sites.true.url)) away.push(request.url());
+    });
+    await other.goto(url);
+    await shown(other);
+    await other.getByRole('button', { name: 'In your room' }).click();
+    await other.waitForFunction(() => document.querySelector('model-viewer')?.loaded === true, null, {
+      timeout: kPatience,
+    });
+    await other.getByRole('button', { name: 'Close' }).click();
+    assert.equal(await other.locator('model-viewer').count(), 0);
+    assert.deepEqual(away, []);
+  } finally {
+    await opened.close();
+  }
+});

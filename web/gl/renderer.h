@@ -16,6 +16,7 @@ namespace spineloft::gl {
 /// A rectangle in CSS pixels from the canvas' top left corner.
 struct Viewport {
   double x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Viewport&) const = default;
 };
 
 using TextureKey = CacheKey<struct TextureKeyTag>;  ///< of pixels on the GPU
@@ -28,6 +29,7 @@ struct SceneTexture {
   /// Its numbers are what the screen shows, as Dear ImGui draws, whose texture ids of anything but its font are
   /// addresses of a SceneTexture that lives while the frame is drawn.
   bool forPanels = false;
+  bool operator==(const SceneTexture&) const = default;
 };
 
 /// How a surface takes the light.
@@ -48,12 +50,14 @@ struct SceneMesh {
   Finish finish = Finish::Plain;
   bool faceted = false;  ///< every triangle flat; part of `key`
   float glow = 0;        ///< 0…1: how much it is lit
+  bool operator==(const SceneMesh&) const = default;
 };
 
 /// A small picture within the strip of pictures.
 struct SceneThumbnail {
   SceneTexture texture;
   Viewport at;
+  bool operator==(const SceneThumbnail&) const = default;
 };
 
 /// Everything below the panels of one frame.
@@ -71,6 +75,7 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
+  bool operator==(const Scene&) const = default;
 };
 
 class Renderer {
@@ -78,7 +83,7 @@ class Renderer {
   virtual ~Renderer() = default;
   /// Before ImGui's new frame: makes sure its textures exist.
   virtual void beginUi() = 0;
-  /// Draws the scene and, above it, ImGui's finished draw data.
+  /// Draws the scene and, above it, ImGui's finished draw data; nothing where the canvas shows that already.
   virtual void draw(const Scene& scene) = 0;
   /// The scene's solid view, or its picture view where that is empty, as pixels of the canvas' size,
   /// smooth and without panels; the canvas stays as it is. Empty when it cannot be drawn.

@@ -57,12 +57,11 @@ bool StillTarget::begin(int width, int height) {
   return true;
 }
 
-GLuint StillTarget::end() {
+void StillTarget::end() {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return texture_.name();
 }
 
 image::Image StillTarget::read() const {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "web/gl/drawn_frame.h"
+#include "web/gl/floor_shadow.h"
 #include "web/gl/handles.h"
 #include "web/gl/mesh_store.h"
 #include "web/gl/shader_sources.h"
@@ -17,15 +19,14 @@
 namespace spineloft::gl {
 namespace {
 
-constexpr int kShadowSide = 256;
 // As in the style sheet.
 constexpr std::array kPaper = {0.969f, 0.961f, 0.941f}, kDarkPaper = {0.090f, 0.098f, 0.118f};
 
 struct Programs {
-  Program background, picture, mesh, floor, shadow, copy;
-  bool complete() const { return background && picture && mesh && floor && shadow && copy; }
+  Program background, picture, mesh, floor, copy;
+  bool complete() const { return background && picture && mesh && floor && copy; }
   void forget() {
-    for (Program* p : {&background, &picture, &mesh, &floor, &shadow, &copy}) p->forget();
+    for (Program* p : {&background, &picture, &mesh, &floor, &copy}) p->forget();
   }
 };
 
@@ -35,33 +36,21 @@ Programs makePrograms() {
   out.picture = makeProgram(shaders::kQuadVert, shaders::kPictureFrag, {"corner"});
   out.mesh = makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"});
   out.floor = makeProgram(shaders::kFloorVert, shaders::kFloorFrag, {"corner"});
-  out.shadow = makeProgram(shaders::kShadowVert, shaders::kShadowFrag, {"position"});
   out.copy = makeProgram(shaders::kQuadVert, shaders::kCopyFrag, {"corner"});
   return out;
 }
 
-/// A height map of the parts seen from above, from which the floor takes its soft shadow.
-struct ShadowMap {
-  Texture texture;
-  Framebuffer framebuffer;
-  void forget() {
-    texture.forget();
-    framebuffer.forget();
-  }
-};
+std::array<float, 3> linear(std::array<float, 3> srgb) {
+  for (float& v : srgb) v = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  return srgb;
+}
 
-ShadowMap makeShadowMap() {
-  ShadowMap map{Texture::make(), Framebuffer::make()};
-  glBindTexture(GL_TEXTURE_2D, map.texture.name());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, kShadowSide, kShadowSide);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, map.texture.name(), 0);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return map;
+/// The solid views of both look the same.
+bool sameSolids(const Scene& a, const Scene& b) {
+  return a.solidView.width == b.solidView.width && a.solidView.height == b.solidView.height && a.dpr == b.dpr &&
+         a.view == b.view && a.projection == b.projection && a.floorCentre == b.floorCentre &&
+         a.floorRadius == b.floorRadius && a.floorHeadroom == b.floorHeadroom && a.dark == b.dark &&
+         a.meshes == b.meshes;
 }
 
 class WebGlRenderer final : public Renderer {
@@ -72,8 +61,7 @@ class WebGlRenderer final : public Renderer {
 
   bool build() {
     programs_ = makePrograms();
-    if (!programs_.complete()) return false;
-    shadowMap_ = makeShadowMap();
+    if (!programs_.complete() || !shadow_.make()) return false;
     GLint samples = 0;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glGetIntegerv(GL_SAMPLES, &samples);
@@ -88,6 +76,7 @@ class WebGlRenderer final : public Renderer {
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     glBindVertexArray(0);
     lost_ = false;
+    drawn_.forget();
     return ImGui_ImplOpenGL3_Init("#version 300 es");
   }
 
@@ -96,8 +85,8 @@ class WebGlRenderer final : public Renderer {
   }
 
   void draw(const Scene& scene) override {
-    if (lost_) return;
-    drawShadowMap(scene);
+    if (lost_ || drawn_.shows(scene, ImGui::GetDrawData())) return;
+    shadow_.update(scene, meshes_, quadArray_);
     const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
     const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -125,7 +114,7 @@ class WebGlRenderer final : public Renderer {
     const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
     const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
     if (lost_) return {};
-    drawShadowMap(scene);
+    shadow_.update(scene, meshes_, quadArray_);
     glDisable(GL_SCISSOR_TEST);
     glClearColor(kPaper[0], kPaper[1], kPaper[2], 1);
     glDepthMask(GL_TRUE);
@@ -143,13 +132,14 @@ class WebGlRenderer final : public Renderer {
     if (lost_) return;
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+    drawn_.forget();
   }
 
   void contextLost() override {
     if (lost_) return;
     lost_ = true;
     programs_.forget();
-    shadowMap_.forget();
+    shadow_.forget();
     still_.forget();
     snapshot_.forget();
     quadArray_.forget();
@@ -230,24 +220,38 @@ class WebGlRenderer final : public Renderer {
     drawQuad();
   }
 
+  /// A view that nothing moves in is drawn once, smoothly, and from then on copied, whatever moves beside it.
   void drawSolidView(const Scene& scene) {
     if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
-    const int width = static_cast<int>(std::lround(scene.solidView.width * scene.dpr));
-    const int height = static_cast<int>(std::lround(scene.solidView.height * scene.dpr));
-    if (smoothAnyway_ || !scene.still || !still_.begin(width, height)) {
+    const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
+    if (still_ && sameSolids(scene, stillScene_)) {
+      keepUploads(scene);
+    } else if (smoothAnyway_ || !scene.still || !still_.begin(px(scene.solidView.width), px(scene.solidView.height))) {
       enter(scene, scene.solidView);
       drawSolids(scene);
       return;
+    } else {
+      drawSolids(scene);
+      still_.end();
+      stillScene_ = scene;
     }
-    drawSolids(scene);
-    const GLuint smooth = still_.end();
     enter(scene, scene.solidView);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
     glUseProgram(programs_.copy.name());
     placeQuad(programs_.copy, scene.solidView, scene.solidView);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, smooth);
+    glBindTexture(GL_TEXTURE_2D, still_.texture());
     glUniform1i(uniform(programs_.copy, "picture"), 0);
     drawQuad();
+  }
+
+  /// What the copied view shows stays on the GPU.
+  void keepUploads(const Scene& scene) {
+    for (const SceneMesh& item : scene.meshes) {
+      meshes_.get(item);
+      if (item.texture) textures_.get(*item.texture);
+    }
   }
 
   void drawSolids(const Scene& scene) {
@@ -277,8 +281,8 @@ class WebGlRenderer final : public Renderer {
                 static_cast<float>(scene.floorCentre.y), static_cast<float>(scene.floorCentre.z),
                 static_cast<float>(scene.floorRadius));
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, shadowMap_.texture.name());
-    glUniform1i(uniform(program, "heights"), 0);
+    glBindTexture(GL_TEXTURE_2D, shadow_.texture());
+    glUniform1i(uniform(program, "shadow"), 0);
     drawQuad();
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -301,11 +305,11 @@ class WebGlRenderer final : public Renderer {
       const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glFrontFace(item.flips ? GL_CW : GL_CCW);
-      glUniform3f(colour, item.colour[0], item.colour[1], item.colour[2]);
+      glUniform3fv(colour, 1, linear(item.colour).data());
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);
       glUniform4fv(area, 1, item.textureArea.data());
-      glUniform3fv(second, 1, (item.second ? *item.second : item.colour).data());
+      glUniform3fv(second, 1, linear(item.second.value_or(item.colour)).data());
       glUniform1f(split, item.split);
       glUniform1i(finish, static_cast<GLint>(item.finish));
       glActiveTexture(GL_TEXTURE0);
@@ -317,38 +321,11 @@ class WebGlRenderer final : public Renderer {
     glBindVertexArray(0);
   }
 
-  void drawShadowMap(const Scene& scene) {
-    if (scene.floorRadius <= 0) return;
-    const Mat4 fromSky = fromAbove(scene.floorCentre, scene.floorRadius, scene.floorCentre.y - 1e-3,
-                                   scene.floorCentre.y + std::max(1e-3, scene.floorHeadroom));
-    glBindFramebuffer(GL_FRAMEBUFFER, shadowMap_.framebuffer.name());
-    glViewport(0, 0, kShadowSide, kShadowSide);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_MAX);  // the lowest surface over each place counts: the shader writes 1 − height
-    const Program& program = programs_.shadow;
-    glUseProgram(program.name());
-    glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, fromSky.m.data());
-    const GLint toWorld = uniform(program, "toWorld");
-    for (const SceneMesh& item : scene.meshes) {
-      const GpuMesh& mesh = meshes_.get(item);
-      glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
-      glBindVertexArray(mesh.array.name());
-      glDrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
-    }
-    glBindVertexArray(0);
-    glBlendEquation(GL_FUNC_ADD);
-    glDisable(GL_BLEND);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  }
-
+  DrawnFrame drawn_;
   Programs programs_;
-  ShadowMap shadowMap_;
+  FloorShadow shadow_;
   StillTarget still_, snapshot_;
+  Scene stillScene_;           ///< whose solid view `still_` shows; what it points to may be gone
   bool smoothAnyway_ = false;  ///< the canvas itself is multisampled
   VertexArray quadArray_;
   Buffer quad_;

@@ -20,7 +20,9 @@
 #include "web/model/messages.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
+#include "web/panels/widgets.h"
 #include "web/scene/scene.h"
+#include "web/ui/press.h"
 #include "web/words/words.h"
 
 namespace spineloft::app {
@@ -299,6 +301,7 @@ void App::announce() {
 void App::feedPanels(const platform::PointerEvent& event) {
   ImGuiIO& io = ImGui::GetIO();
   using platform::PointerKind;
+  panels::watchPress(event);
   io.AddKeyEvent(ImGuiMod_Shift, (event.modifiers & platform::kShift) != 0);
   io.AddMouseSourceEvent(event.device == platform::Device::Touch ? ImGuiMouseSource_TouchScreen
                          : event.device == platform::Device::Pen ? ImGuiMouseSource_Pen
@@ -331,9 +334,10 @@ void App::pointer(const platform::PointerEvent& event) {
   if (onPanels) {
     feedPanels(event);
     touch(4);  // ImGui takes its queued events in over several frames
-    // Something may come of a pointer that rests: a tooltip, or the menu of a long press.
-    const bool mayRest = event.device == platform::Device::Mouse || event.kind == platform::PointerKind::Down;
-    if (!tooltipPending_ && mayRest) {
+    // Something may come of a pointer that rests: a tooltip, or what a long press asks for.
+    const bool finger = event.device == platform::Device::Touch;
+    if (finger && event.kind == platform::PointerKind::Down) host_.wakeAfter(kLongPressMs + kPumpMs);
+    if (!tooltipPending_ && !finger) {
       tooltipPending_ = true;
       host_.wakeAfter(kTooltipMs);
     }

@@ -40,7 +40,7 @@ std::vector<PartId> partsOf(const PanelEnv& env, const document::Step& root) {
 bool draggedFar() { return ImGui::GetIO().MouseDragMaxDistanceSqr[0] >= kDragSlop * kDragSlop; }
 
 /// Shift, or a finger that stays, takes one more part in hand.
-bool takesMore(const PanelEnv& env) { return stayed(env) || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl; }
+bool takesMore() { return wasLongPress() || ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl; }
 
 /// The part as a small picture.
 void picture(const PanelEnv& env, const document::Part& part, ImVec2 low, float side) {
@@ -89,9 +89,9 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   if (pressed) {
     // Of the only one in hand a finger that stays asks for another name.
     const bool only = selected && env.ui().alsoSelected.empty();
-    if (selected && (secondClick() || (only && stayed(env)))) {
+    if (selected && (secondClick() || (only && wasLongPress()))) {
       env.sink.run(app::askPartName, part.id);
-    } else if (takesMore(env)) {
+    } else if (takesMore()) {
       env.sink.run(app::selectPart, part.id, true);
     } else {
       env.sink.run(app::selectPart, part.id, false);
@@ -135,7 +135,7 @@ void groupRow(const PanelEnv& env, const document::Group& group, const Place& pl
   drawLine(list, {env.fonts.bold, {at.x + 30, at.y + (height - size) / 2}, kInk},
            words::drawn(words::nameOf(group.name)));
   list.PopClipRect();
-  if (pressed && (secondClick() || stayed(env))) {
+  if (pressed && (secondClick() || wasLongPress())) {
     env.sink.run(app::askGroupName, group.id);
   } else if (pressed) {
     env.sink.run(app::selectPart, place.parts.front(), false);
@@ -167,7 +167,7 @@ void dragRows(const PanelEnv& env, const std::vector<Place>& places, float width
   env.ui().listDrag.reset();
   if (!draggedFar()) {
     if (dragged->step) return env.sink.run(app::selectStep, dragged->step);
-    env.sink.run(app::selectPart, dragged->part, takesMore(env));
+    env.sink.run(app::selectPart, dragged->part, takesMore());
     return;
   }
   if (own == places.end()) return;

@@ -51,8 +51,7 @@ void thumbnail(const PanelEnv& env, const document::PictureEntry& entry, bool co
   const app::Rect image = within(at, room, entry.size);
   ui.thumbnails.push_back({entry.id, image});
   frame(*ImGui::GetWindowDrawList(), image, shown, ImGui::IsItemHovered());
-  const bool held = ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] > kLongPress &&
-                    ImGui::GetIO().MouseSource != ImGuiMouseSource_Mouse;
+  const bool held = ImGui::IsItemActive() && longPress();
   const bool second = ImGui::IsItemHovered() && ImGui::IsMouseClicked(1);
   if (held) ImGui::ClearActiveID();
   if (held || second || (pressed && shown)) {

@@ -114,7 +114,7 @@ bool grip(const PanelEnv& env, const app::ListRow& row, ImVec2 size, std::string
   registerControl(env, app::Control::Kind::Grip, name);
   std::optional<app::ListRow>& dragged = env.ui().listDrag;
   if (env.ui().touch) {
-    if (!dragged && ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] >= kLongPress) dragged = row;
+    if (!dragged && ImGui::IsItemActive() && longPress()) dragged = row;
     return pressed && !dragged;
   }
   if (ImGui::IsItemActivated()) dragged = row;
@@ -131,8 +131,6 @@ void showRow(const PanelEnv& env, const app::ListRow& row, float left) {
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   env.ui().rows.push_back({row, {left, low.y, right - left, high.y - low.y}});
 }
-
-bool stayed(const PanelEnv& env) { return env.ui().touch && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress; }
 
 bool secondClick() { return ImGui::GetIO().MouseClickedLastCount[0] == 2; }
 
@@ -194,7 +192,7 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
   const ImU32 ink = !step.visible ? faded(kMuted, 150) : selected ? kAccent : kInk;
   drawLine(list, {ImGui::GetFont(), {at.x + 30, at.y + (height - ImGui::GetTextLineHeight()) / 2}, ink}, name);
   if (pressed) {
-    const bool twice = selected && (secondClick() || stayed(env));
+    const bool twice = selected && (secondClick() || wasLongPress());
     env.sink.run(twice ? app::askStepName : app::selectStep, step.id);
   }
   ImGui::SameLine(0, 0);

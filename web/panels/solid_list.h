@@ -55,8 +55,6 @@ void solidRows(const PanelEnv& env, const document::Step& step, float width, con
 
 /// Tells where the row whose button was the last item can be renamed, from `left` to its end, where that is in sight.
 void showRow(const PanelEnv& env, const app::ListRow& row, float left);
-/// A finger stayed on the row that was just let go.
-bool stayed(const PanelEnv& env);
 /// The press that was just let go was the second of two in quick succession: a press on a button counts when it is let
 /// go, when ImGui tells of a double click no more.
 bool secondClick();

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "web/panels/theme.h"
 #include "web/ui/icons.h"
+#include "web/ui/press.h"
 
 namespace spineloft::panels {
 namespace {
@@ -81,17 +83,39 @@ void drawLine(ImDrawList& list, const Line& line, std::string_view text) {
 
 namespace {
 
+/// The last press on the panels.
+struct Press {
+  bool finger = false;
+  double x = 0, y = 0, downMs = 0;
+  std::optional<double> stillMs;  ///< when it moved on or was lifted
+};
+Press press;
+
 bool byFinger() { return ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen; }
 
 /// A button without a look of its own. A finger that stayed on it asked for its name and presses nothing.
-bool pressedItem(const char* id, ImVec2 size) {
-  return ImGui::InvisibleButton(id, size) && !(byFinger() && ImGui::GetIO().MouseDownDurationPrev[0] >= kLongPress);
-}
+bool pressedItem(const char* id, ImVec2 size) { return ImGui::InvisibleButton(id, size) && !wasLongPress(); }
 
 }  // namespace
 
+void watchPress(const platform::PointerEvent& event) {
+  if (event.kind == platform::PointerKind::Down) {
+    press = {event.device == platform::Device::Touch, event.x, event.y, event.timeMs, {}};
+  }
+  const bool moves = event.kind == platform::PointerKind::Move;
+  if (press.stillMs || (moves && std::hypot(event.x - press.x, event.y - press.y) < kDragSlop)) return;
+  if (event.kind != platform::PointerKind::Down) press.stillMs = event.timeMs;
+}
+
+bool longPress() {
+  if (press.stillMs) return press.finger && *press.stillMs - press.downMs >= app::kLongPressMs;
+  return press.finger && ImGui::GetIO().MouseDownDuration[0] >= app::kLongPressMs / 1000;
+}
+
+bool wasLongPress() { return press.stillMs && longPress(); }
+
 void tooltip(Text tip) {
-  const bool stays = byFinger() && ImGui::IsItemActive() && ImGui::GetIO().MouseDownDuration[0] >= kLongPress;
+  const bool stays = ImGui::IsItemActive() && longPress();
   const bool rests = !byFinger() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip);
   if (tip.empty() || !(stays || rests)) return;
   if (stays) {  // beside the finger, not under it

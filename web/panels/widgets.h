@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "web/panels/panels.h"
+#include "web/platform/page.h"
 #include "web/words/words.h"
 
 namespace spineloft::panels {
@@ -73,8 +74,13 @@ SliderTurn slider(const PanelEnv& env, const Slider& what, float& value);
 bool beginCard(const PanelEnv& env, const char* name, const app::Rect& rect);
 void endCard();
 
-/// A finger that rests for so long has asked for something else than a tap, seconds.
-inline constexpr float kLongPress = 0.45f;
+/// Takes in a pointer on the panels: how long a finger stays counts by the clock of the events, however slow frames
+/// are.
+void watchPress(const platform::PointerEvent& event);
+/// The finger that is down stays, or stayed before it moved on.
+bool longPress();
+/// The finger that was just lifted stayed.
+bool wasLongPress();
 
 /// What the mouse is told about the last item when it rests on it, and a finger that stays on it.
 void tooltip(Text tip);

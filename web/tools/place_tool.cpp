@@ -7,11 +7,11 @@
 #include "web/commands/intents.h"
 #include "web/edit/placing.h"
 #include "web/tools/pick.h"
+#include "web/ui/press.h"
 
 namespace spineloft::tools {
 namespace {
 
-constexpr double kLongPressMs = 450;
 constexpr double kLeastSpread = 12;  // CSS pixels; nearer fingers only shift
 
 double angleOf(const FingerPair& pair) {
@@ -88,7 +88,7 @@ void PlaceTool::commit(const ToolEnv& env) {
   env.ui.held = app::GizmoHandle::None;
   if (!moved_) {
     if (!pressed_) return;
-    const bool more = touch_ && nowMs_ - beganMs_ >= kLongPressMs;
+    const bool more = touch_ && nowMs_ - beganMs_ >= app::kLongPressMs;
     env.sink.run(app::selectPart, pressed_, more);
     return;
   }

@@ -63,9 +63,9 @@ async function beginAnew() {
 
 /**
  * One browser and the site with and without isolation for a test file. A browser that is there already is used where
- * $SPINELOFT_BROWSER_WS names it.
+ * $SPINELOFT_BROWSER_WS names it. `prepare(kit)` makes what all of the file's tests use.
  */
-export function useSite() {
+export function useSite(prepare) {
   const kit = { browser: null, sites: {}, folder: null, shared: new Map() };
   before(async () => {
     const address = process.env.SPINELOFT_BROWSER_WS;
@@ -73,6 +73,7 @@ export function useSite() {
     kit.sites.true = await startSite({ isolated: true });
     kit.sites.false = await startSite({ isolated: false });
     kit.folder = mkdtempSync(join(tmpdir(), 'spineloft-'));
+    await prepare?.(kit);
   });
   after(async () => {
     await kit.browser?.close();
