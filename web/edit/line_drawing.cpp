@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
 #include "web/words/words.h"
 
@@ -62,7 +63,7 @@ PicturePoint nearestOnLine(const std::vector<PicturePoint>& line, bool closed, P
 
 bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
   return std::ranges::any_of(drawing.lines, [&](const document::DrawnLine& line) {
-    return distance(nearestOnLine(line.points, line.closed, p), p) <= reach;
+    return geometry::distanceToLine(p, std::span<const PicturePoint>(line.points), line.closed) <= reach;
   });
 }
 
