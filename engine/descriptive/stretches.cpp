@@ -52,13 +52,19 @@ void addCuts(const Measured& outline, const geometry::Contours& other, std::vect
     for (const auto& contour : other) {
       for (std::size_t k = 0, j = contour.size() - 1; k < contour.size(); j = k++) {
         const PicturePoint c = contour[j], d = contour[k];
-        if (std::max(c.x, d.x) < std::min(a.x, b.x) || std::min(c.x, d.x) > std::max(a.x, b.x)) continue;
-        if (std::max(c.y, d.y) < std::min(a.y, b.y) || std::min(c.y, d.y) > std::max(a.y, b.y)) continue;
+        constexpr double kNear = 1e-6;  // pixels
+        if (std::max(c.x, d.x) < std::min(a.x, b.x) - kNear || std::min(c.x, d.x) > std::max(a.x, b.x) + kNear)
+          continue;
+        if (std::max(c.y, d.y) < std::min(a.y, b.y) - kNear || std::min(c.y, d.y) > std::max(a.y, b.y) + kNear)
+          continue;
         const PicturePoint q = d - c;
         const double whole = cross(r, q);
         if (whole == 0) continue;
         const double t = cross(c - a, q) / whole, u = cross(c - a, r) / whole;
-        if (t >= 0 && t < 1 && u >= 0 && u < 1) cuts.push_back(outline.s[i] + t * norm(r));
+        // A corner that lies on the other outline cuts there, on whichever side rounding puts it.
+        constexpr double kRounding = 1e-9;
+        const auto isWithin = [](double share) { return share >= -kRounding && share <= 1 + kRounding; };
+        if (isWithin(t) && isWithin(u)) cuts.push_back(outline.s[i] + t * norm(r));
       }
     }
   }

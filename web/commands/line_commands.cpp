@@ -142,7 +142,7 @@ constexpr Argument kPoints{"points"}, kLine{"line"}, kOver{"over"};
 
 // clang-format off
 constexpr std::array kTable = {
-    Command{.id = "lines", .label = "Lines", .icon = "line-squiggle", .shortcut = "Shift+L", .group = "tool",
+    Command{.id = "lines", .label = "Lines", .icon = "signature", .shortcut = "Shift+L", .group = "tool",
             .hint = "Draw lines, seen and hidden: what they close becomes a piece", .enabled = hasPicture,
             .toggled = linesTool, .run = useLines},
     Command{.id = "seen-pen", .label = "Seen", .icon = "pencil-line", .group = "tool",
