@@ -17,5 +17,7 @@ using PartId = Id<struct PartTag>;
 using PictureId = Id<struct PictureTag>;
 using StepId = Id<struct StepTag>;
 using GroupId = Id<struct GroupTag>;
+using DrawingId = Id<struct DrawingTag>;
+using LineId = Id<struct LineTag>;  ///< of a line in its drawing
 
 }  // namespace spineloft

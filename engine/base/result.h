@@ -37,6 +37,7 @@ enum class Error {
   NotARegion,       ///< only for parts that are made of a region
   NotAStack,        ///< only for parts that are drawn slice by slice
   NotAShape,        ///< only for parts that are shapes
+  NotAPiece,        ///< only for parts that are pieces of a line drawing
   TooFewRibs,       ///< a loft needs at least 2 ribs
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
   StackInvalid,     ///< planes or curves of a stack that make no solid
@@ -48,6 +49,7 @@ enum class Error {
   NoSuchPart,
   NoSuchPicture,
   NoSuchStep,
+  NoSuchLine,       ///< a line of a line drawing, or the drawing
   AlreadyUsed,      ///< a part or solid that is inside another solid already
   ValueOutOfRange,  ///< a parameter outside the range of the parameter table
   NothingToUndo,

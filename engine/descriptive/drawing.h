@@ -64,7 +64,7 @@ struct Pin {
   bool operator==(const Pin&) const = default;
 };
 
-/// Of two pieces that overlap at a place, who is in front there: indices of pieces.
+/// Of two pieces that overlap at a place, who is in front there: indices of pieces. Of several the last one counts.
 struct GivenOrder {
   std::uint32_t over = 0, under = 0;
   PicturePoint at;

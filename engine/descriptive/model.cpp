@@ -195,7 +195,7 @@ class Maker {
   void finish(const Depths& depths) {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       model_.solids.push_back({made_[i], solidOf(patches_[i], pieces_[i], depths.pieces[i], scale_, drawing_.size),
-                               offPlane(patches_[i], depths.pieces[i])});
+                               sheets_[i].region, offPlane(patches_[i], depths.pieces[i])});
     }
     for (const std::uint32_t overlap : depths.conflict) {
       const Order& order = model_.orders.orders[overlap];

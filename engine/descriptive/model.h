@@ -12,9 +12,10 @@ namespace spineloft::descriptive {
 
 /// One piece as a solid.
 struct ModelPiece {
-  std::uint32_t piece = 0;  ///< index in Model::pieces
-  mesh::TriMesh mesh;       ///< ModelSpace, closed
-  double planarity = 0;     ///< how far the outline is from its plane, the most, as a share of the drawing's size
+  std::uint32_t piece = 0;    ///< index in Model::pieces
+  mesh::TriMesh mesh;         ///< ModelSpace, closed
+  geometry::Contours region;  ///< what its outlines enclose in the picture
+  double planarity = 0;       ///< how far the outline is from its plane, the most, as a share of the drawing's size
 };
 
 /// A piece that is none: what its outline encloses makes no solid.

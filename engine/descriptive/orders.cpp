@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include "engine/descriptive/order_search.h"
@@ -25,7 +26,7 @@ class Asker {
     for (std::uint32_t i = 0; i < orders_.stretches.size(); ++i) askLine(i);
     double lines = 1;
     for (const Clause& clause : clauses_) lines += clause.weight;
-    for (const GivenOrder& one : given_) askUser(one, lines);
+    for (const GivenOrder& one : std::views::reverse(given_)) askUser(one, lines);
     cycles();
     const ChoiceResult result = chooseAll(clauses_, guesses());
     for (std::uint32_t k = 0; k < overlaps().size(); ++k) orders_.orders.push_back(orderOf(k, result.choices[k]));
@@ -65,7 +66,7 @@ class Asker {
   }
   void askUser(const GivenOrder& one, double weight) {
     const auto overlap = orders_.overlaps.nearest(one.over, one.under, one.at);
-    if (!overlap) return;
+    if (!overlap || std::ranges::find(users_, *overlap) != users_.end()) return;
     users_.push_back(*overlap);
     add({{over(*overlap, one.over)}, weight}, overlaps()[*overlap].at);
   }
@@ -125,7 +126,7 @@ class Asker {
     }
     orders_.contradictions.push_back({names, places_[broken.clause]});
   }
-  /// What dips goes into the frontmost of what is round it.
+  /// What dips goes into the frontmost of what is round it, unless an order is given there.
   void settleInsides() {
     for (OrderedStretch& stretch : orders_.stretches) {
       if (!stretch.dips) continue;
@@ -135,6 +136,7 @@ class Asker {
         if (between && orders_.orders[*between].over == stretch.cover[k]) front = k;
       }
       Order& order = orders_.orders[stretch.at[front]];
+      if (order.from == OrderFrom::User) continue;
       order = {stretch.cover[front], stretch.piece, OrderKind::Inside, order.from};
       stretch.index = 0.5;
     }

@@ -57,8 +57,9 @@ struct Orders {
 /// is in front of all pieces round it; a hidden one is behind at least one of them; one that becomes hidden away from
 /// crossings goes into the frontmost of them. Where three pieces overlap in one place, their order has no cycle. All of
 /// it by unit propagation and search (order_search.h); a clause weighs the length of its stretch, a given order more
-/// than all lines. Guesses put that piece in front which has more of its outline within the overlap, else the later
-/// one. `size`: of the drawing, pixels, > 0. Cost: edges squared by pairs of pieces whose bounds overlap, and cells.
+/// than all lines; of several for one overlap the last one counts. Guesses put that piece in front which has more of
+/// its outline within the overlap, else the later one. `size`: of the drawing, pixels, > 0. Cost: edges squared by
+/// pairs of pieces whose bounds overlap, and cells.
 Orders ordersOf(std::span<const Sheet> sheets, std::span<const GivenOrder> given, double size);
 
 }  // namespace spineloft::descriptive

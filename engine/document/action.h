@@ -141,6 +141,48 @@ struct SetView {
   PictureId picture;
   std::optional<PictureView> view;
 };
+/// One more line of the line drawing on a picture, which begins with its first line. What it closes becomes a piece.
+struct DrawLine {
+  PictureId picture;
+  std::vector<PicturePoint> points;
+  std::vector<descriptive::Stretch> hidden = {};
+  bool closed = false;
+  Look look = {};  ///< of a new piece
+};
+/// The last point of a line is joined to its first.
+struct CloseLine {
+  DrawingId drawing;
+  LineId line;
+  Look look = {};  ///< of a new piece
+};
+/// Where a line is hidden, as a whole.
+struct HideLine {
+  DrawingId drawing;
+  LineId line;
+  std::vector<descriptive::Stretch> hidden;
+};
+/// Outlines that it was part of close straight; a piece that has no other line of its own goes.
+struct DeleteLine {
+  DrawingId drawing;
+  LineId line;
+};
+/// Of two pieces that overlap at a place, who is in front there.
+struct OrderPieces {
+  PartId over, under;
+  PicturePoint at;
+};
+/// The depth of a place on a line; none: it is not given any more.
+struct PinDepth {
+  DrawingId drawing;
+  LineId line;
+  double at = 0;            ///< share of the line's length
+  std::optional<double> z;  ///< picture pixels
+};
+/// What a piece is made of its outlines.
+struct ShapePiece {
+  PartId part;
+  descriptive::PieceKind kind = descriptive::PieceKind::Round;
+};
 /// One section for the whole part.
 struct SetSection {
   PartId part;
@@ -275,6 +317,7 @@ using Action =
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
-                 DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView>;
+                 DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
+                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece>;
 
 }  // namespace spineloft::document

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/document/checks.h"
+#include "engine/document/update_drawings.h"
 
 namespace spineloft::document {
 namespace {
@@ -209,10 +210,11 @@ Status arrange(Document& document, const DuplicateParts& action) {
     own->second.push_back(std::move(copy));
   }
   flush({});
+  std::vector<std::pair<PartId, PartId>> originals(made.begin(), made.end());
   // Solids are looked through before the copies stand between their parts.
   const Status solids = copySteps(document, made, action.over);
   document.parts = std::move(parts);
-  return solids;
+  return solids ? copyDrawings(document, originals) : solids;
 }
 
 Status arrange(Document& document, const GroupParts& action) {

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "engine/base/text.h"
+#include "engine/descriptive/lines.h"
+#include "engine/document/params.h"
+#include "engine/document/pieces.h"
 #include "engine/inflate/profile.h"
 #include "engine/ribs/base/spine.h"
 
@@ -143,6 +146,95 @@ std::size_t dropUnseen(const Document& document, Recipe& recipe) {
                        [&](const Outline& outline) { return !viewOn(document, outline.picture, shape->picture).ok(); });
 }
 
+namespace {
+
+// Extent of a line: a share of its picture's longer side, and picture pixels.
+constexpr double kLeastLine = 0.001, kLeastLinePixels = 1;
+
+Status checkLine(const DrawnLine& line, image::Size picture) {
+  PicturePoint low{kFarthest, kFarthest}, high{-kFarthest, -kFarthest};
+  for (const PicturePoint p : line.points) {
+    if (!isFinite(p) || std::abs(p.x) > kFarthest || std::abs(p.y) > kFarthest) return Error::StrokeNotFinite;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double least = std::max(kLeastLine * std::max(picture.width, picture.height), kLeastLinePixels);
+  if (!(std::max(high.x - low.x, high.y - low.y) >= least)) return Error::StrokeTooShort;
+  const bool onPicture =
+      high.x >= -0.5 && high.y >= -0.5 && low.x <= picture.width - 0.5 && low.y <= picture.height - 0.5;
+  if (!onPicture) return Error::StrokeOutsidePicture;
+  const descriptive::Line plain{line.points, line.hidden, line.closed};
+  const auto measured = descriptive::meetingLines({&plain, 1});
+  return measured ? Status(Done{}) : Status(measured.failure());
+}
+
+}  // namespace
+
+bool isDepth(double z) { return std::abs(z) <= kFarthest; }
+
+bool isValid(const DrawnLine& line, image::Size picture) { return checkLine(line, picture).ok(); }
+
+Status checkLines(const Document& document, const Drawing& drawing) {
+  const PictureEntry* entry = findPicture(document, drawing.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  if (drawing.lines.size() > descriptive::kMostLines) return {Error::ValueOutOfRange, "too many lines"};
+  std::size_t points = 0;
+  for (const DrawnLine& line : drawing.lines) {
+    if (Status drawn = checkLine(line, entry->size); !drawn) return drawn;
+    points += line.points.size();
+  }
+  if (points > descriptive::kMostLinePoints) return {Error::ValueOutOfRange, "too many points"};
+  return Done{};
+}
+
+Status checkDrawing(const Document& document, const Drawing& drawing) {
+  if (Status lines = checkLines(document, drawing); !lines) return lines;
+  if (std::max({drawing.pins.size(), drawing.folds.size(), drawing.orders.size()}) > kMostMarks) {
+    return {Error::ValueOutOfRange, "too many pins, folds or orders"};
+  }
+  const auto isShare = [](double at) { return at >= 0 && at <= 1; };
+  for (const auto& [line, at, z] : drawing.pins) {
+    if (findLine(drawing, line) == nullptr) return Error::NoSuchLine;
+    if (!isShare(at) || !isDepth(z)) return {Error::ValueOutOfRange, "pin"};
+  }
+  for (const auto& [line, at] : drawing.folds) {
+    if (findLine(drawing, line) == nullptr) return Error::NoSuchLine;
+    if (!isShare(at)) return {Error::ValueOutOfRange, "fold"};
+  }
+  for (const auto& [over, under, at] : drawing.orders) {
+    if (over == under || !isFinite(at)) return {Error::ValueOutOfRange, "order"};
+    for (const PartId id : {over, under}) {
+      const Part* part = findPart(document, id);
+      const ElementRecipe* element = part ? elementOf(*part) : nullptr;
+      if (element == nullptr || element->drawing != drawing.id) return Error::NotAPiece;
+    }
+  }
+  return Done{};
+}
+
+Status checkElement(const Document& document, const ElementRecipe& recipe) {
+  const Drawing* drawing = findDrawing(document, recipe.drawing);
+  if (drawing == nullptr) return Error::NoSuchLine;
+  if (drawing->picture != recipe.picture) return Error::NoSuchPicture;
+  if (recipe.outlines.empty()) return Error::RegionEmpty;
+  if (recipe.kind >= descriptive::PieceKind::kCount) return {Error::ValueOutOfRange, "kind"};
+  if (recipe.outlines.size() > kMostContours) return {Error::ValueOutOfRange, "too many outlines"};
+  const Recipe whole = recipe;
+  for (const ParamInfo& info : paramTable(PartKind::Element)) {
+    const double value = info.get(whole);
+    if (!(value >= info.low && value <= info.high)) return {Error::ValueOutOfRange, std::string(info.key)};
+  }
+  for (const LineOutline& outline : recipe.outlines) {
+    if (outline.runs.empty()) return Error::RegionEmpty;
+    if (outline.runs.size() > descriptive::kMostLines) return {Error::ValueOutOfRange, "too many lines"};
+    for (const auto& [line, from, to] : outline.runs) {
+      if (findLine(*drawing, line) == nullptr) return Error::NoSuchLine;
+      if (!(from >= 0 && from <= 1 && to >= 0 && to <= 1 && from != to)) return {Error::ValueOutOfRange, "run"};
+    }
+  }
+  return Done{};
+}
+
 Status checkSolid(const RegionSolid& solid) {
   if (!std::visit([](const auto& params) { return isValid(params); }, solid)) return Error::ValueOutOfRange;
   const auto* puff = std::get_if<inflate::InflateParams>(&solid);
@@ -154,15 +246,16 @@ Status checkSolid(const RegionSolid& solid) {
 Status checkDrawn(const Document& document, const Recipe& recipe) {
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
   if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return checkShape(document, *shape);
+  if (const auto* element = std::get_if<ElementRecipe>(&recipe)) return checkElement(document, *element);
   if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);
 }
 
 bool holdsWork(const Document& document) {
-  return !document.parts.empty() || std::ranges::any_of(document.pictures, [](const PictureEntry& entry) {
-    return !entry.sketch.empty() || !entry.ignored.empty();
-  });
+  return !document.parts.empty() || !document.drawings.empty() ||
+         std::ranges::any_of(document.pictures,
+                             [](const PictureEntry& entry) { return !entry.sketch.empty() || !entry.ignored.empty(); });
 }
 
 }  // namespace spineloft::document

@@ -46,6 +46,21 @@ Status checkView(const Document& document, PictureId picture, const PictureView&
 /// RegionOutside, ShapeInvalid. Whether the outlines make a shape is only known when it is made.
 Status checkShape(const Document& document, const ShapeRecipe& recipe);
 
+/// Whether the lines of a drawing are finite, long enough, within the limits of descriptive/drawing.h and at least in
+/// part on its picture. Errors: NoSuchPicture, StrokeNotFinite, StrokeTooShort, StrokeOutsidePicture, ValueOutOfRange
+/// (with what).
+Status checkLines(const Document& document, const Drawing& drawing);
+bool isValid(const DrawnLine& line, image::Size picture);
+/// Of a pin: picture pixels, finite and in range.
+bool isDepth(double z);
+
+/// The lines, and pins, folds and orders: on lines and pieces that are there. Errors: those of checkLines, NoSuchLine.
+Status checkDrawing(const Document& document, const Drawing& drawing);
+
+/// Whether the recipe of a piece has outlines of lines of its drawing, and numbers in range. Errors: NoSuchLine,
+/// NoSuchPicture, RegionEmpty, ValueOutOfRange.
+Status checkElement(const Document& document, const ElementRecipe& recipe);
+
 /// Takes out outlines whose picture is no view of the part's; how many.
 std::size_t dropUnseen(const Document& document, Recipe& recipe);
 

@@ -80,6 +80,11 @@ std::size_t heldBy(const ShapeRecipe& recipe) {
   for (const auto& contour : recipe.shape.section->contours) bytes += sizeof(contour) + bytesOf(contour);
   return bytes;
 }
+std::size_t heldBy(const ElementRecipe& recipe) {
+  std::size_t bytes = bytesOf(recipe.outlines);
+  for (const LineOutline& outline : recipe.outlines) bytes += bytesOf(outline.runs);
+  return bytes;
+}
 template <OfRegion Recipe>
 std::size_t heldBy(const Recipe& recipe) {
   return bytesOf(recipe.region);
@@ -88,6 +93,13 @@ std::size_t heldBy(const Recipe& recipe) {
 std::size_t bytesOf(const Part& part) {
   return sizeof(Part) + part.name.size() + part.extra.size() +
          std::visit([](const auto& recipe) { return heldBy(recipe); }, part.recipe);
+}
+
+std::size_t bytesOf(const Drawing& drawing) {
+  std::size_t bytes = sizeof(Drawing) + drawing.extra.size() + bytesOf(drawing.lines) + bytesOf(drawing.pins) +
+                      bytesOf(drawing.folds) + bytesOf(drawing.orders);
+  for (const DrawnLine& line : drawing.lines) bytes += bytesOf(line.points) + bytesOf(line.hidden);
+  return bytes;
 }
 
 /// `before` is the same entry in the other document, or null.
@@ -106,7 +118,7 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
 }
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {
-    "loft", "puff", "sheet", "lathe", "stack", "shape"};
+    "loft", "puff", "sheet", "lathe", "stack", "shape", "element"};
 
 }  // namespace
 
@@ -131,6 +143,8 @@ Recipe emptyRecipe(PartKind kind) {
       return StackRecipe{};
     case PartKind::Shape:
       return ShapeRecipe{};
+    case PartKind::Element:
+      return ElementRecipe{};
     case PartKind::Loft:
     case PartKind::kCount:
       break;
@@ -160,6 +174,7 @@ PictureId pictureOf(const Recipe& recipe) {
   if (const Region* region = regionOf(recipe)) return region->picture;
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return stack->picture;
   if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return shape->picture;
+  if (const auto* element = std::get_if<ElementRecipe>(&recipe)) return element->picture;
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? loft->picture : PictureId{};
 }
@@ -168,6 +183,7 @@ void setPicture(Recipe& recipe, PictureId picture) {
   if (auto* loft = std::get_if<LoftRecipe>(&recipe)) loft->picture = picture;
   if (auto* stack = std::get_if<StackRecipe>(&recipe)) stack->picture = picture;
   if (auto* shape = std::get_if<ShapeRecipe>(&recipe)) shape->picture = picture;
+  if (auto* element = std::get_if<ElementRecipe>(&recipe)) element->picture = picture;
 }
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {
@@ -178,6 +194,11 @@ const PictureEntry* findPicture(const Document& document, PictureId id) {
 const Part* findPart(const Document& document, PartId id) {
   const auto at = std::ranges::find_if(document.parts, [&](const Part& part) { return part.id == id; });
   return at == document.parts.end() ? nullptr : &at->get();
+}
+
+const Drawing* findDrawing(const Document& document, DrawingId id) {
+  const auto at = std::ranges::find_if(document.drawings, [&](const Drawing& drawing) { return drawing.id == id; });
+  return at == document.drawings.end() ? nullptr : &at->get();
 }
 
 const Group* findGroup(const Document& document, GroupId id) {
@@ -194,12 +215,17 @@ std::vector<PartId> partsOfGroup(const Document& document, GroupId id) {
 }
 
 std::size_t bytesBeyond(const Document& base, const Document& next) {
-  std::size_t bytes = sizeof(Document) + next.name.size() + next.extra.size() +
-                      (next.pictures.size() + next.parts.size() + next.steps.size()) * sizeof(Box<Part>);
+  std::size_t bytes =
+      sizeof(Document) + next.name.size() + next.extra.size() +
+      (next.pictures.size() + next.drawings.size() + next.parts.size() + next.steps.size()) * sizeof(Box<Part>);
   for (const Group& group : next.groups) bytes += sizeof(Group) + group.name.size();
   for (const Box<Part>& part : next.parts) {
     const Box<Part>* before = boxOf(base.parts, part->id);
     if (before == nullptr || !before->shares(part)) bytes += bytesOf(*part);
+  }
+  for (const Box<Drawing>& drawing : next.drawings) {
+    const Box<Drawing>* before = boxOf(base.drawings, drawing->id);
+    if (before == nullptr || !before->shares(drawing)) bytes += bytesOf(*drawing);
   }
   for (const Box<Step>& step : next.steps) {
     const Box<Step>* before = boxOf(base.steps, step->id);

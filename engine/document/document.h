@@ -16,6 +16,7 @@
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
+#include "engine/document/drawing.h"
 #include "engine/document/look.h"
 #include "engine/document/placement.h"
 #include "engine/document/step.h"
@@ -132,9 +133,22 @@ struct ShapeRecipe {
   bool operator==(const ShapeRecipe&) const = default;
 };
 
+/// Recipe of a piece of a line drawing: what closed outlines enclose, at the depth that the drawing gives it.
+struct ElementRecipe {
+  PictureId picture;  ///< that of the drawing
+  DrawingId drawing;
+  descriptive::PieceKind kind = descriptive::PieceKind::Round;
+  std::vector<LineOutline> outlines;           ///< ≥ 1; by even-odd
+  double stiffness = 1;                        ///< round: how much it stays in a plane
+  double front = 1, back = 1;                  ///< round: its thickness to the viewer and away is multiplied by it
+  double thickness = descriptive::kThickness;  ///< flat: a share of the picture's longer side
+  bool operator==(const ElementRecipe&) const = default;
+};
+
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe>;
-enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, kCount };
+using Recipe =
+    std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe, ElementRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, Element, kCount };
 static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
 
 struct Part {
@@ -160,19 +174,20 @@ struct Group {
 struct Document {
   std::string name = "Model";
   std::vector<Box<PictureEntry>> pictures;  ///< in the order they were added
+  std::vector<Box<Drawing>> drawings;       ///< line drawings, in the order they were begun
   std::vector<Box<Part>> parts;             ///< in the order of the part list
   std::vector<Box<Step>> steps;             ///< solids made from them: a forest (step.h)
   std::vector<Group> groups;                ///< in the order they were made
   Millimetres height{100};                  ///< "How tall?": of the whole model when exported
   /// Ids are never reused.
-  std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0, lastGroupId = 0;
+  std::uint32_t lastPictureId = 0, lastPartId = 0, lastStepId = 0, lastGroupId = 0, lastDrawingId = 0;
   std::string extra;  ///< as PictureEntry::extra
   bool operator==(const Document&) const = default;
 };
 
 inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
 inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
-/// "loft", "puff", "sheet", "lathe", "stack", "shape": in files and in the API.
+/// "loft", "puff", "sheet", "lathe", "stack", "shape", "element": in files and in the API.
 std::string_view kindKey(PartKind kind);
 /// Error: none of them: kCount.
 PartKind kindFromKey(std::string_view key);
@@ -191,6 +206,8 @@ inline const StackRecipe* stackOf(const Part& part) { return std::get_if<StackRe
 inline StackRecipe* stackOf(Part& part) { return std::get_if<StackRecipe>(&part.recipe); }
 inline const ShapeRecipe* shapeOf(const Part& part) { return std::get_if<ShapeRecipe>(&part.recipe); }
 inline ShapeRecipe* shapeOf(Part& part) { return std::get_if<ShapeRecipe>(&part.recipe); }
+inline const ElementRecipe* elementOf(const Part& part) { return std::get_if<ElementRecipe>(&part.recipe); }
+inline ElementRecipe* elementOf(Part& part) { return std::get_if<ElementRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
 /// The region of what is made of one, or null.
@@ -213,6 +230,7 @@ inline constexpr double kMinHeightMm = 1, kMaxHeightMm = 10000;
 /// The entry, or null.
 const PictureEntry* findPicture(const Document& document, PictureId id);
 const Part* findPart(const Document& document, PartId id);
+const Drawing* findDrawing(const Document& document, DrawingId id);
 const Group* findGroup(const Document& document, GroupId id);
 /// In the order of the list.
 std::vector<PartId> partsOfGroup(const Document& document, GroupId id);

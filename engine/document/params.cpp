@@ -28,6 +28,19 @@ ParamInfo entry(ParamInfo info) {
   return info;
 }
 
+/// The same of a member of the recipe of a piece.
+template <auto Member>
+ParamInfo own(ParamInfo info) {
+  info.get = [](const Recipe& recipe) {
+    const auto* mine = std::get_if<ElementRecipe>(&recipe);
+    return mine ? mine->*Member : 0.0;
+  };
+  info.set = [](Recipe& recipe, double value) {
+    if (auto* mine = std::get_if<ElementRecipe>(&recipe)) mine->*Member = value;
+  };
+  return info;
+}
+
 std::span<const ParamInfo> loftTable() {
   using loft::LoftParams, ribs::SpineParams;
   constexpr auto kSpine = &LoftRecipe::spine;
@@ -133,6 +146,26 @@ std::span<const ParamInfo> shapeTable() {
   return kTable;
 }
 
+std::span<const ParamInfo> elementTable() {
+  constexpr auto isRound = [](const Recipe& recipe) {
+    return std::get<ElementRecipe>(recipe).kind == descriptive::PieceKind::Round;
+  };
+  constexpr auto isFlat = [](const Recipe& recipe) {
+    return std::get<ElementRecipe>(recipe).kind == descriptive::PieceKind::Flat;
+  };
+  static const std::array kTable = {
+      own<&ElementRecipe::front>({"front", "Fat in front", "times", descriptive::kLeastFront, descriptive::kMostFront,
+                                  0.05, Measure::Percent, false, isRound}),
+      own<&ElementRecipe::back>({"back", "Fat behind", "times", descriptive::kLeastFront, descriptive::kMostFront, 0.05,
+                                 Measure::Percent, false, isRound}),
+      own<&ElementRecipe::thickness>({"thickness", "Thickness", "of the picture", extrude::kLeastThickness,
+                                      extrude::kMostThickness, 0.002, Measure::Length, false, isFlat}),
+      own<&ElementRecipe::stiffness>({"stiffness", "Stiff", "times", descriptive::kLeastStiffness,
+                                      descriptive::kMostStiffness, 0.1, Measure::Plain, true, isRound}),
+  };
+  return kTable;
+}
+
 }  // namespace
 
 std::span<const ParamInfo> paramTable(PartKind kind) {
@@ -147,6 +180,8 @@ std::span<const ParamInfo> paramTable(PartKind kind) {
       return stackTable();
     case PartKind::Shape:
       return shapeTable();
+    case PartKind::Element:
+      return elementTable();
     case PartKind::Loft:
     case PartKind::kCount:
       break;

@@ -8,6 +8,7 @@ namespace {
 const PictureEntry& valueOf(const Box<PictureEntry>& box) { return box; }
 const Part& valueOf(const Box<Part>& box) { return box; }
 const Step& valueOf(const Box<Step>& box) { return box; }
+const Drawing& valueOf(const Box<Drawing>& box) { return box; }
 const Group& valueOf(const Group& group) { return group; }
 
 /// The new ids by the old ones.
@@ -45,9 +46,18 @@ void renumber(Document& document) {
   const NewIds<PartId> parts(document.parts);
   const NewIds<StepId> steps(document.steps);
   const NewIds<GroupId> groups(document.groups);
+  const NewIds<DrawingId> drawings(document.drawings);
   changeAll(document.pictures, [&](PictureEntry& entry) {
     pictures.to(entry.id);
     if (entry.view) pictures.to(entry.view->of);
+  });
+  changeAll(document.drawings, [&](Drawing& drawing) {
+    drawings.to(drawing.id);
+    pictures.to(drawing.picture);
+    for (PieceOrder& order : drawing.orders) {
+      parts.to(order.over);
+      parts.to(order.under);
+    }
   });
   changeAll(document.parts, [&](Part& part) {
     parts.to(part.id);
@@ -55,6 +65,7 @@ void renumber(Document& document) {
     PictureId picture = pictureOf(part);
     pictures.to(picture);
     setPicture(part.recipe, picture);
+    if (ElementRecipe* element = elementOf(part)) drawings.to(element->drawing);
     if (ShapeRecipe* shape = shapeOf(part)) {
       for (Outline& outline : shape->outlines) pictures.to(outline.picture);
     }
@@ -71,6 +82,7 @@ void renumber(Document& document) {
   document.lastPartId = parts.count();
   document.lastStepId = steps.count();
   document.lastGroupId = groups.count();
+  document.lastDrawingId = drawings.count();
 }
 
 }  // namespace spineloft::document

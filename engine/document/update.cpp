@@ -6,6 +6,8 @@
 #include "engine/document/arrange.h"
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
+#include "engine/document/update_drawings.h"
+#include "engine/document/update_parts.h"
 #include "engine/document/update_steps.h"
 
 namespace spineloft::document {
@@ -48,18 +50,6 @@ struct Apply {
     return editPart(
         id, [&](Part& part) -> Status { return regionOf(part.recipe) ? change(part) : Status(Error::NotARegion); });
   }
-  Status roomForPart() const {
-    if (document.parts.size() < kMostParts) return Done{};
-    return {Error::ValueOutOfRange, "too many parts"};
-  }
-  void addPart(Recipe recipe, const Look& look) const {
-    Part part;
-    part.recipe = std::move(recipe);
-    part.look = look;
-    part.id = PartId{++document.lastPartId};
-    part.name = fallbackName(part);
-    document.parts.push_back(std::move(part));
-  }
   template <class Change>
   Status editPicture(PictureId id, const Change& change) const {
     return edit(document.pictures, id, Error::NoSuchPicture, change);
@@ -67,12 +57,6 @@ struct Apply {
   Status roomForPicture() const {
     if (document.pictures.size() < kMostPictures) return Done{};
     return {Error::ValueOutOfRange, "too many pictures"};
-  }
-
-  /// A part goes, out of every step too.
-  void erasePart(PartId id) const {
-    takeOut(document, {id, {}});
-    std::erase_if(document.parts, [&](const Part& p) { return p.id == id; });
   }
 
   /// Views of what is gone, and outlines in no view of their part, go.
@@ -144,14 +128,14 @@ struct Apply {
     for (const Part& part : document.parts) {
       if (pictureOf(part) == a.picture) gone.push_back(part.id);
     }
-    for (const PartId id : gone) erasePart(id);
+    for (const PartId id : gone) erasePart(document, id);
     std::erase_if(document.pictures, [&](const PictureEntry& p) { return p.id == a.picture; });
     forgetUnseen();
     return Done{};
   }
   Status operator()(const DrawSpine& a) const {
     if (!known(a.startCap) || !known(a.endCap)) return Error::ValueOutOfRange;
-    if (Status room = roomForPart(); !room) return room;
+    if (Status room = roomForPart(document); !room) return room;
     if (Status shape = sections::checkShape(a.section); !shape) return shape;
     LoftRecipe recipe;
     recipe.picture = a.picture;
@@ -162,14 +146,14 @@ struct Apply {
     recipe.pose.depth = a.depth;
     if (!loft::isValid(recipe.pose)) return {Error::ValueOutOfRange, "depth"};
     if (Status stroke = checkStroke(document, recipe); !stroke) return stroke;
-    addPart(std::move(recipe), a.look);
+    addPart(document, std::move(recipe), a.look);
     return Done{};
   }
   Status operator()(const DrawRegion& a) const {
-    if (Status room = roomForPart(); !room) return room;
+    if (Status room = roomForPart(document); !room) return room;
     if (Status solid = checkSolid(a.solid); !solid) return solid;
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
-    addPart(recipeOf(a.region, a.solid), a.look);
+    addPart(document, recipeOf(a.region, a.solid), a.look);
     return Done{};
   }
   Status operator()(const RedrawRegion& a) const {
@@ -196,11 +180,11 @@ struct Apply {
     });
   }
   Status operator()(const DrawStack& a) const {
-    if (Status room = roomForPart(); !room) return room;
+    if (Status room = roomForPart(document); !room) return room;
     if (!isValid(a.stack)) return Error::ValueOutOfRange;
     StackRecipe recipe{a.picture, a.planes, a.rail, a.stack};
     if (Status drawn = checkStack(document, recipe); !drawn) return drawn;
-    addPart(std::move(recipe), a.look);
+    addPart(document, std::move(recipe), a.look);
     return Done{};
   }
   /// Changes what only a stack has. Error: NotAStack.
@@ -224,10 +208,10 @@ struct Apply {
     return editStack(a.part, [&](StackRecipe& stack) { stack.stack = a.stack; });
   }
   Status operator()(const DrawShape& a) const {
-    if (Status room = roomForPart(); !room) return room;
+    if (Status room = roomForPart(document); !room) return room;
     ShapeRecipe recipe{a.picture, a.shape, a.outlines};
     if (Status drawn = checkShape(document, recipe); !drawn) return drawn;
-    addPart(std::move(recipe), a.look);
+    addPart(document, std::move(recipe), a.look);
     return Done{};
   }
   /// Changes what only a shape has. Error: NotAShape.
@@ -345,9 +329,16 @@ struct Apply {
   }
   Status operator()(const DeletePart& a) const {
     if (findPart(document, a.part) == nullptr) return Error::NoSuchPart;
-    erasePart(a.part);
+    erasePart(document, a.part);
     return Done{};
   }
+  Status operator()(const DrawLine& a) const { return applyDrawing(document, a); }
+  Status operator()(const CloseLine& a) const { return applyDrawing(document, a); }
+  Status operator()(const HideLine& a) const { return applyDrawing(document, a); }
+  Status operator()(const DeleteLine& a) const { return applyDrawing(document, a); }
+  Status operator()(const OrderPieces& a) const { return applyDrawing(document, a); }
+  Status operator()(const PinDepth& a) const { return applyDrawing(document, a); }
+  Status operator()(const ShapePiece& a) const { return applyDrawing(document, a); }
   Status operator()(const CombineParts& a) const { return applyStep(document, a); }
   Status operator()(const SetStep& a) const { return applyStep(document, a); }
   Status operator()(const OrderOperands& a) const { return applyStep(document, a); }
@@ -391,6 +382,7 @@ Result<Document> update(const Document& document, const Action& action) {
   Document next = document;
   const Status status = std::visit(Apply{next}, action);
   if (!status) return status.failure();
+  settleDrawings(document, next);
   dropEmptyGroups(next);
   return next;
 }

@@ -6,6 +6,7 @@
 
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
+#include "engine/document/pieces.h"
 #include "engine/document/renumber.h"
 
 namespace spineloft::io {
@@ -125,6 +126,8 @@ void mendRecipe(document::ShapeRecipe& recipe, ReadNotes& notes) {
   mend(recipe.outlines.size() <= document::kMostOutlines, recipe.outlines, {}, notes);
   mend(isValid(recipe.shape), recipe.shape, {}, notes);
 }
+
+void mendRecipe(document::ElementRecipe&, ReadNotes&) {}  // all of it is in the table, or is checked
 
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   const document::PartKind kind = document::kindOf(recipe);
@@ -306,6 +309,58 @@ void settleExtra(T& value, Json json, const Reading& reading) {
   mend(again.extra == value.extra, value.extra, again.extra, reading.notes);
 }
 
+Result<document::Drawing> drawingFrom(Json json, const Document& document, const Reading& reading) {
+  document::Drawing drawing;
+  read(json, drawing, reading);
+  const PictureEntry* entry = document::findPicture(document, drawing.picture);
+  if (entry == nullptr) return Error::NoSuchPicture;
+  const ReadNotes before = reading.notes;
+  std::set<LineId> known;
+  weed(
+      drawing.lines, descriptive::kMostLines,
+      [&](const document::DrawnLine& line) {
+        return line.id.value != 0 && line.id.value <= kMostId && document::isValid(line, entry->size) &&
+               known.insert(line.id).second;
+      },
+      reading.notes);
+  const std::uint32_t most = known.empty() ? 0 : known.rbegin()->value;
+  const bool counts = most <= drawing.lastLineId && drawing.lastLineId <= kMostId;
+  mend(counts, drawing.lastLineId, most, reading.notes);
+  const auto isPlace = [&](LineId line, double at) {
+    return document::findLine(drawing, line) != nullptr && at >= 0 && at <= 1;
+  };
+  const auto isPin = [&](const document::DepthPin& pin) {
+    return isPlace(pin.line, pin.at) && document::isDepth(pin.z);
+  };
+  const auto isFold = [&](const document::LineFold& fold) { return isPlace(fold.line, fold.at); };
+  weed(drawing.pins, document::kMostMarks, isPin, reading.notes);
+  weed(drawing.folds, document::kMostMarks, isFold, reading.notes);
+  weed(
+      drawing.orders, document::kMostMarks,
+      [](const document::PieceOrder& order) { return order.over != order.under && isFinite(order.at); }, reading.notes);
+  if (reading.notes != before) settleExtra(drawing, toJson(drawing), reading);
+  if (!document::checkLines(document, drawing)) return {Error::ProjectInvalid, "lines"};
+  return drawing;
+}
+
+void mendOrders(Document& document, ReadNotes& notes) {
+  for (Box<document::Drawing>& box : document.drawings) {
+    document::Drawing drawing = box;
+    const auto isPiece = [&](PartId id) {
+      const Part* part = document::findPart(document, id);
+      const document::ElementRecipe* element = part == nullptr ? nullptr : document::elementOf(*part);
+      return element != nullptr && element->drawing == drawing.id;
+    };
+    const std::size_t gone = std::erase_if(drawing.orders, [&](const document::PieceOrder& order) {
+      return !isPiece(order.over) || !isPiece(order.under);
+    });
+    if (gone > 0) box = std::move(drawing);
+    notes.repaired += gone;
+  }
+  notes.dropped +=
+      std::erase_if(document.drawings, [](const document::Drawing& drawing) { return drawing.lines.empty(); });
+}
+
 Result<Part> partFrom(Json json, const Document& document, const Reading& reading) {
   Part part;
   read(json, part, reading);
@@ -335,7 +390,8 @@ Result<document::Step> stepFrom(Json json, const Reading& reading) {
 }
 
 void makeRoomForIds(Document& document, ReadNotes& notes) {
-  const auto lasts = {document.lastPictureId, document.lastPartId, document.lastStepId, document.lastGroupId};
+  const auto lasts = {document.lastPictureId, document.lastPartId, document.lastStepId, document.lastGroupId,
+                      document.lastDrawingId};
   if (std::ranges::max(lasts) <= kMostOpenedId) return;
   document::renumber(document);
   ++notes.repaired;
@@ -345,6 +401,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
   if (!json.is_object()) return {Error::ProjectInvalid, "no document"};
   if (Status version = migrate(json); !version) return version.failure();
   Json pictures = takeList(json, "pictures", reading.notes);
+  Json drawings = takeList(json, "drawings", reading.notes);
   Json parts = takeList(json, "parts", reading.notes);
   Json steps = takeList(json, "steps", reading.notes);
   Document document;
@@ -362,6 +419,15 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
   }
   mendIds(document.pictures, document.lastPictureId, reading.notes);
   mendViews(document, reading.notes);
+  for (Json& element : drawings) {
+    Result<document::Drawing> drawing = drawingFrom(std::move(element), document, reading);
+    if (drawing && document.drawings.size() < document::kMostDrawings) {
+      document.drawings.push_back(std::move(drawing).value());
+    } else {
+      ++reading.notes.dropped;
+    }
+  }
+  mendIds(document.drawings, document.lastDrawingId, reading.notes);
   for (Json& element : parts) {
     if (document.parts.size() >= document::kMostParts) {
       ++reading.notes.dropped;
@@ -375,6 +441,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.parts, document.lastPartId, reading.notes);
+  mendOrders(document, reading.notes);
   const ReadNotes before = reading.notes;
   mendGroups(document, reading.notes);
   if (reading.notes != before) settleExtra(document, frameJson(document), reading);

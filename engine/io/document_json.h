@@ -53,6 +53,11 @@ void readFrame(Json json, document::Document& document, const Reading& reading);
 /// A picture; none when it cannot be kept: NoSuchPicture when its photo is not there, ProjectInvalid
 /// for all else. Its id may be 0.
 Result<document::PictureEntry> pictureFrom(Json json, const Reading& reading);
+/// A line drawing on one of `document`'s pictures. Its orders are looked at once its parts are there (mendOrders).
+/// Errors: NoSuchPicture, ProjectInvalid (no usable line). Its id may be 0.
+Result<document::Drawing> drawingFrom(Json json, const document::Document& document, const Reading& reading);
+/// Orders of what is no piece of their drawing go, and so do drawings without a line.
+void mendOrders(document::Document& document, ReadNotes& notes);
 /// A part on one of `document`'s pictures. Errors: NoSuchPicture, ProjectInvalid (no usable stroke).
 /// Its id may be 0.
 Result<document::Part> partFrom(Json json, const document::Document& document, const Reading& reading);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/base/hash.h"
+#include "engine/document/checks.h"
 #include "engine/io/document_json.h"
 #include "engine/io/json_diff.h"
 
@@ -64,6 +65,7 @@ Json changeOf(const Document& before, const Document& after) {
   };
   add("frame", difference(frameJson(before), frameJson(after)));
   add("pictures", listChange(before.pictures, after.pictures));
+  add("drawings", listChange(before.drawings, after.drawings));
   add("parts", listChange(before.parts, after.parts));
   add("steps", listChange(before.steps, after.steps));
   return change;
@@ -110,8 +112,14 @@ std::optional<std::vector<Box<T>>> changedList(const std::vector<Box<T>>& before
   return after;
 }
 
-/// What a change could break without touching it: parts of pictures that went or changed their size,
-/// ids beyond the last ones.
+/// Whether a piece of a line drawing has its lines; other parts have.
+bool isOnDrawing(const Document& document, const Part& part) {
+  const document::ElementRecipe* element = document::elementOf(part);
+  return element == nullptr || document::checkElement(document, *element).ok();
+}
+
+/// What a change could break without touching it: parts of pictures that went or changed their size, pieces of lines
+/// that went, ids beyond the last ones.
 bool isWhole(const Document& before, const Document& after) {
   if (after.pictures.size() > document::kMostPictures || after.parts.size() > document::kMostParts) {
     return false;
@@ -128,15 +136,19 @@ bool isWhole(const Document& before, const Document& after) {
     if (old != nullptr && old->size != entry.size) return false;
     if (entry.id.value == 0 || entry.id.value > after.lastPictureId) return false;
   }
+  for (const document::Drawing& drawing : after.drawings) {
+    const bool counts = drawing.id.value != 0 && drawing.id.value <= after.lastDrawingId;
+    if (!counts || !document::checkDrawing(after, drawing)) return false;
+  }
   for (const document::Group& group : after.groups) {
     if (group.id.value == 0 || group.id.value > after.lastGroupId) return false;
     if (document::partsOfGroup(after, group.id).empty()) return false;
   }
-  return after.lastPictureId <= kMostId && after.lastPartId <= kMostId && after.lastGroupId <= kMostId &&
-         std::ranges::all_of(after.parts, [&](const Part& part) {
+  return after.lastDrawingId <= kMostId && after.lastPictureId <= kMostId && after.lastPartId <= kMostId &&
+         after.lastGroupId <= kMostId && std::ranges::all_of(after.parts, [&](const Part& part) {
            return part.id.value != 0 && part.id.value <= after.lastPartId &&
                   (!part.group || document::findGroup(after, part.group) != nullptr) &&
-                  document::findPicture(after, document::pictureOf(part)) != nullptr;
+                  document::findPicture(after, document::pictureOf(part)) != nullptr && isOnDrawing(after, part);
          });
 }
 
@@ -152,6 +164,7 @@ std::optional<Document> changed(const Document& before, const Json& change, cons
     after = {};
     readFrame(std::move(json), after, reading);
     after.pictures = before.pictures;
+    after.drawings = before.drawings;
     after.parts = before.parts;
     after.steps = before.steps;
   }
@@ -160,6 +173,12 @@ std::optional<Document> changed(const Document& before, const Json& change, cons
         changedList(before.pictures, *pictures, [&](Json json) { return pictureFrom(std::move(json), reading); });
     if (!list) return std::nullopt;
     after.pictures = std::move(*list);
+  }
+  if (const Json* drawings = memberOf(change, "drawings")) {
+    auto list = changedList(before.drawings, *drawings,
+                            [&](Json json) { return drawingFrom(std::move(json), after, reading); });
+    if (!list) return std::nullopt;
+    after.drawings = std::move(*list);
   }
   if (const Json* parts = memberOf(change, "parts")) {
     auto list = changedList(before.parts, *parts, [&](Json json) { return partFrom(std::move(json), after, reading); });

@@ -120,6 +120,13 @@ std::string_view keyOf(geometry::ViewFrom value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }
+std::string_view keyOf(descriptive::PieceKind value) {
+  static constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKeys = {
+      "round", "flat"};
+  const auto at = static_cast<std::size_t>(value);
+  return at < kKeys.size() ? kKeys[at] : std::string_view();
+}
+bool fromKey(std::string_view key, descriptive::PieceKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, inflate::Across& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::DepthMode& value) { return fromKeys(key, value); }
@@ -202,6 +209,11 @@ Json toJson(const stack::Corners& corners) {
 
 Json toJson(const shape::Axis& axis) {
   const auto& [start, end] = axis;
+  return Json::array({toJson(start), toJson(end)});
+}
+
+Json toJson(const descriptive::Stretch& stretch) {
+  const auto& [start, end] = stretch;
   return Json::array({toJson(start), toJson(end)});
 }
 
@@ -313,6 +325,13 @@ bool get(const Json& from, shape::Axis& to) {
   shape::Axis axis;
   const bool two = from.is_array() && from.size() == 2 && get(from[0], axis.from) && get(from[1], axis.to);
   if (two) to = axis;
+  return two;
+}
+
+bool get(const Json& from, descriptive::Stretch& to) {
+  descriptive::Stretch stretch;
+  const bool two = from.is_array() && from.size() == 2 && get(from[0], stretch.from) && get(from[1], stretch.to);
+  if (two) to = stretch;
   return two;
 }
 

@@ -46,6 +46,7 @@ std::string_view keyOf(surface::Paint value);
 std::string_view keyOf(shape::Primitive value);
 std::string_view keyOf(shape::DepthMode value);
 std::string_view keyOf(geometry::ViewFrom value);
+std::string_view keyOf(descriptive::PieceKind value);
 bool fromKey(std::string_view key, sections::SectionPreset& value);
 bool fromKey(std::string_view key, sections::CapStyle& value);
 bool fromKey(std::string_view key, sections::BlendKind& value);
@@ -59,6 +60,7 @@ bool fromKey(std::string_view key, surface::Paint& value);
 bool fromKey(std::string_view key, shape::Primitive& value);
 bool fromKey(std::string_view key, shape::DepthMode& value);
 bool fromKey(std::string_view key, geometry::ViewFrom& value);
+bool fromKey(std::string_view key, descriptive::PieceKind& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 
@@ -91,6 +93,7 @@ Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or p
 Json toJson(const image::SketchStroke& stroke);                  ///< [radius, erase, colour, [x, y, …], [pressure, …]]
 Json toJson(const stack::Corners& corners);                      ///< "all", or the indices
 Json toJson(const shape::Axis& axis);                            ///< [[x, y], [x, y]]
+Json toJson(const descriptive::Stretch& stretch);                ///< [from, to]
 template <Struct T>
 Json toJson(const T& value);
 template <Struct T>
@@ -229,6 +232,7 @@ bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
 bool get(const Json& from, stack::Corners& to);
 bool get(const Json& from, shape::Axis& to);
+bool get(const Json& from, descriptive::Stretch& to);
 template <class Space>
 bool get(const Json& from, Vec2<Space>& to) {
   Vec2<Space> p;

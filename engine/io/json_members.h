@@ -277,6 +277,70 @@ void members(V& v, T& value) {
   v("capRings", capRings);
   v("outlines", outlines);
 }
+template <class V, Is<document::DrawnLine> T>
+void members(V& v, T& value) {
+  auto& [id, points, hidden, closed] = value;
+  v("id", id);
+  v("points", points);
+  v("hidden", hidden);
+  v("closed", closed);
+}
+template <class V, Is<document::LineRun> T>
+void members(V& v, T& value) {
+  auto& [line, from, to] = value;
+  v("line", line);
+  v("from", from);
+  v("to", to);
+}
+template <class V, Is<document::LineOutline> T>
+void members(V& v, T& value) {
+  auto& [runs] = value;
+  v("runs", runs);
+}
+template <class V, Is<document::DepthPin> T>
+void members(V& v, T& value) {
+  auto& [line, at, z] = value;
+  v("line", line);
+  v("at", at);
+  v("z", z);
+}
+template <class V, Is<document::LineFold> T>
+void members(V& v, T& value) {
+  auto& [line, at] = value;
+  v("line", line);
+  v("at", at);
+}
+template <class V, Is<document::PieceOrder> T>
+void members(V& v, T& value) {
+  auto& [over, under, at] = value;
+  v("over", over);
+  v("under", under);
+  v("at", at);
+}
+template <class V, Is<document::Drawing> T>
+void members(V& v, T& value) {
+  auto& [id, picture, lines, pins, folds, orders, lastLineId, extra] = value;
+  v("id", id);
+  v("picture", picture);
+  v("lines", lines);
+  v("pins", pins);
+  v("folds", folds);
+  v("orders", orders);
+  v("lastLineId", lastLineId);
+  v.beyond(extra);
+}
+template <class V, Is<document::ElementRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, drawing, kind, outlines, stiffness, front, back, thickness] = value;
+  v("picture", picture);
+  v("drawing", drawing);
+  v("kind", kind);
+  v("outlines", outlines);
+  v("stiffness", stiffness);
+  v("front", front);
+  v("back", back);
+  v("thickness", thickness);
+}
 template <class V, Is<document::PictureView> T>
 void members(V& v, T& value) {
   auto& [of, view] = value;
@@ -366,10 +430,11 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Document> T>
 void members(V& v, T& value) {
-  auto& [name, pictures, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId, lastGroupId, extra] =
-      value;
+  auto& [name, pictures, drawings, parts, steps, groups, height, lastPictureId, lastPartId, lastStepId, lastGroupId,
+         lastDrawingId, extra] = value;
   v.always("name", name);
   v.elements("pictures", pictures);
+  v.elementsIfAny("drawings", drawings);
   v.elements("parts", parts);
   v.elementsIfAny("steps", steps);
   v("groups", groups);
@@ -378,6 +443,7 @@ void members(V& v, T& value) {
   v("lastPartId", lastPartId);
   v("lastStepId", lastStepId);
   v("lastGroupId", lastGroupId);
+  v("lastDrawingId", lastDrawingId);
   v.beyond(extra);
 }
 

@@ -91,6 +91,26 @@ void nameIfNone(Json& element, std::uint32_t id) {
   element["name"] = isPart ? document::fallbackName(part) : document::fallbackName(picture);
 }
 
+/// The last id of a list, where it is left out: the largest.
+void completeLast(Json& json, const Json& list, const char* last) {
+  std::uint32_t largest = 0;
+  for (const Json& element : list) {
+    std::uint32_t id = 0;
+    if (element.is_object() && element.contains("id") && get(element["id"], id)) largest = std::max(largest, id);
+  }
+  if (!json.contains(last)) json[last] = std::min(largest, kMostId);
+}
+
+/// What people leave out of line drawings: the last ids, which are the largest.
+void completeDrawings(Json& json) {
+  const auto drawings = json.find("drawings");
+  if (drawings == json.end() || !drawings->is_array()) return;
+  completeLast(json, *drawings, "lastDrawingId");
+  for (Json& drawing : *drawings) {
+    if (drawing.is_object() && drawing.contains("lines")) completeLast(drawing, drawing["lines"], "lastLineId");
+  }
+}
+
 Status checkPhoto(const RecipeInput& input, bool wanted) {
   if (wanted && !input.photo) {
     return {Error::JsonInvalid, "it stands on a photo, whose file must be named too"};
@@ -184,6 +204,10 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
   if (!json.contains("recipe")) json = Json{{"recipe", std::move(json)}};
   const auto kind = json.find("kind");
   const auto is = [&](document::PartKind one) { return kind != json.end() && *kind == document::kindKey(one); };
+  if (is(document::PartKind::Element)) {
+    return {Error::JsonInvalid,
+            "a piece of a line drawing needs its lines: give a whole document with parts and drawings"};
+  }
   const bool isStack = is(document::PartKind::Stack), isShape = is(document::PartKind::Shape);
   const bool isRegion = kind != json.end() && !isStack && !isShape && !is(document::PartKind::Loft);
   // What says all about itself needs no photo.
@@ -261,14 +285,13 @@ Status takePhoto(Json& pictures, const RecipeInput& input) {
 /// What people leave out of a list is filled in: names, and the last id, which is the largest.
 void completeList(Json& json, const char* list, const char* last) {
   if (!json.contains(list)) return;
-  std::uint32_t largest = 0;
   for (Json& element : json[list]) {
     std::uint32_t id = 0;
     if (!element.is_object()) continue;
-    if (element.contains("id") && get(element["id"], id)) largest = std::max(largest, id);
+    if (element.contains("id")) get(element["id"], id);
     nameIfNone(element, id);
   }
-  if (!json.contains(last)) json[last] = std::min(largest, kMostId);
+  completeLast(json, json[list], last);
 }
 
 Result<Document> wholeDocument(Json json, const RecipeInput& input) {
@@ -280,6 +303,7 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
   if (pictures.is_null()) pictures = Json::array();
   if (Status photo = takePhoto(pictures, input); !photo) return photo.failure();
   completeList(json, "pictures", "lastPictureId");
+  completeDrawings(json);
   completeList(json, "parts", "lastPartId");
   const PictureSource source = [&](std::uint64_t hash) {
     const auto own = std::ranges::find_if(input.pictures,

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/document/checks.h"
 #include "engine/geometry/polyline.h"
 #include "engine/io/document_json.h"
 #include "engine/io/foretold.h"
@@ -166,6 +167,15 @@ void keep(document::ShapeRecipe& recipe, const Grid& grid) {
   kept.shape.width = grid(recipe.shape.width);
   if (isValid(kept.shape)) recipe = std::move(kept);
 }
+/// Its lines are in its drawing.
+void keep(document::ElementRecipe&, const Grid&) {}
+void keepLines(document::Drawing& drawing, const Grid& grid) {
+  for (document::DrawnLine& line : drawing.lines) {
+    document::DrawnLine kept = line;
+    kept.points = grid(line.points);
+    if (document::isValid(kept, grid.size())) line = std::move(kept);
+  }
+}
 void keep(document::LatheRecipe& recipe, const Grid& grid) {
   keepRegion(recipe.region, grid);
   recipe.lathe.axisFrom = grid(recipe.lathe.axisFrom);
@@ -240,6 +250,13 @@ Document onGrids(const Document& document) {
     for (Box<image::SketchStroke>& stroke : entry.sketch) stroke = kept(stroke.get(), grid);
     keepMarks(entry.ignored, grid);
     box = std::move(entry);
+  }
+  for (Box<document::Drawing>& box : rounded.drawings) {
+    const auto grid = grids.find(box->picture.value);
+    if (grid == grids.end()) continue;
+    document::Drawing drawing = box.get();
+    keepLines(drawing, grid->second);
+    box = std::move(drawing);
   }
   for (Box<document::Part>& box : rounded.parts) {
     document::Part part = box.get();

@@ -36,6 +36,11 @@ void Cache::keepInterior(InteriorKey key, KnownInterior interior) {
   interiors_.keep(key, std::move(interior), bytes);
 }
 
+void Cache::keepDrawing(DrawingKey key, std::shared_ptr<const DrawingShape> drawing) {
+  const std::size_t bytes = bytesOf(*drawing);
+  drawings_.keep(key, std::move(drawing), bytes);
+}
+
 std::shared_ptr<const PartShape> Cache::shape(ShapeKey key) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key == key) {
@@ -112,7 +117,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes() + drawings_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

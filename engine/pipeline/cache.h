@@ -11,6 +11,7 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
+#include "engine/pipeline/drawing_shape.h"
 #include "engine/pipeline/part_shape.h"
 
 namespace spineloft::pipeline {
@@ -69,6 +70,9 @@ class Cache {
   /// By interiorKey. Null when not (or no longer) known.
   KnownInterior interior(InteriorKey key) { return interiors_.find(key); }
   void keepInterior(InteriorKey key, KnownInterior interior);
+  /// By drawingKey. Null when not (or no longer) known.
+  std::shared_ptr<const DrawingShape> drawing(DrawingKey key) { return drawings_.find(key); }
+  void keepDrawing(DrawingKey key, std::shared_ptr<const DrawingShape> drawing);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -97,9 +101,9 @@ class Cache {
   /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
   static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
-  /// shown; the marks of 4 pictures; 20 puffs with a slice.
+  /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
-                               kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20;
+                               kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20, kDrawingBytes = 8u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -122,6 +126,7 @@ class Cache {
   LruCache<IgnoredKey, ribs::IgnoredEdges> ignored_{kIgnoredBytes};
   LruCache<TraceKey, TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   LruCache<InteriorKey, inflate::Interior> interiors_{kInteriorBytes};
+  LruCache<DrawingKey, DrawingShape> drawings_{kDrawingBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/document/pieces.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/outline_ink.h"
 #include "engine/pipeline/part_texture.h"
@@ -78,7 +79,27 @@ struct Made {
   const document::Recipe& recipe;
   const document::PictureEntry& entry;
   const document::Document& document;
+  PartId part;  ///< which it is, where it is one of the document's
 };
+
+std::shared_ptr<const DrawingShape> solved(const descriptive::Drawing& drawing, Cache& cache) {
+  const DrawingKey key = drawingKey(drawing);
+  if (auto known = cache.drawing(key)) return known;
+  auto made = std::make_shared<const DrawingShape>(drawingStage(drawing));
+  cache.keepDrawing(key, made);
+  return made;
+}
+
+// The shape of a piece, of its drawing that is solved already or now.
+Status elementShape(const document::ElementRecipe& recipe, const Made& from, Cache& cache, PartShape& shape,
+                    const Clock& clock) {
+  const double started = nowMs(clock);
+  const PieceIn piece = pieceIn(from.document, recipe, from.part);
+  const std::shared_ptr<const DrawingShape> drawing = solved(piece.drawing, cache);
+  if (Status made = elementStage(*drawing, piece.number, shape); !made.ok()) return made;
+  shape.ms.loft = nowMs(clock) - started;
+  return Done{};
+}
 
 // In place of what `shape` held, which a failure leaves as it was.
 Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
@@ -96,6 +117,9 @@ Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape
     if (!made) return made.failure();
     shape = std::move(made).value();
     return Done{};
+  }
+  if (const auto* element = std::get_if<document::ElementRecipe>(&from.recipe)) {
+    return elementShape(*element, from, cache, shape, clock);
   }
   const auto* stack = std::get_if<document::StackRecipe>(&from.recipe);
   const auto* outlined = std::get_if<document::ShapeRecipe>(&from.recipe);
@@ -188,7 +212,7 @@ DerivedPart derivePart(const document::Document& document, const document::Part&
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
     PartShape shape;
-    const Status made = shapeOf({part.recipe, entry, document}, cache, Purpose::Part, shape, clock);
+    const Status made = shapeOf({part.recipe, entry, document, part.id}, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
       shape.key = key;
       result.shape = std::make_shared<const PartShape>(std::move(shape));
@@ -211,6 +235,11 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     const auto pixels = cache.pixels(entry);
     derived.pictures.push_back(pixels ? pixels.value() : nullptr);
   }
+  for (const document::Drawing& drawing : document.drawings) {
+    document::PlainDrawing plain = plainDrawing(document, drawing);
+    std::shared_ptr<const DrawingShape> shape = solved(plain.drawing, cache);
+    derived.drawings.push_back({drawing.id, std::move(plain.pieces), std::move(shape)});
+  }
   for (const document::Part& part : document.parts) {
     const document::PictureEntry* entry = findPicture(document, pictureOf(part));
     derived.parts.push_back(entry ? derivePart(document, part, *entry, cache, clock)
@@ -227,7 +256,7 @@ Status shapeFor(Purpose purpose, const document::Document& document, const docum
                 PartShape& shape, const Clock& clock) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf({recipe, *entry, document}, cache, purpose, shape, clock);
+  return shapeOf({recipe, *entry, document, {}}, cache, purpose, shape, clock);
 }
 
 }  // namespace

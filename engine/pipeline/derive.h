@@ -12,6 +12,7 @@
 #include "engine/base/result.h"
 #include "engine/document/document.h"
 #include "engine/pipeline/cache.h"
+#include "engine/pipeline/drawing_shape.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/part_texture.h"
@@ -34,11 +35,19 @@ struct DerivedPart {
   std::optional<ModelPoint> crossesAt = std::nullopt;
 };
 
+/// A line drawing, solved.
+struct DerivedDrawing {
+  DrawingId id;
+  std::vector<PartId> pieces;  ///< the part that each piece of `shape` is
+  std::shared_ptr<const DrawingShape> shape;
+};
+
 struct Derived {
   std::vector<DerivedPart> parts;  ///< same order as Document::parts
   /// Pixels of every picture, same order as Document::pictures: a photo's own, a sketch's as drawn.
   /// Null where a sketch failed.
   std::vector<std::shared_ptr<const image::Picture>> pictures;
+  std::vector<DerivedDrawing> drawings;  ///< same order as Document::drawings
   /// Pictures whose edges are not in the cache, each once: let a worker find them (detectEdges),
   /// keep them in the cache, derive again.
   std::vector<PictureId> wantedEdges;

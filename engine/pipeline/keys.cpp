@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/hash.h"
+#include "engine/pipeline/drawing_shape.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -159,6 +160,25 @@ void mix(Hasher& hasher, const document::Region& region) {
   hasher.number(ribbon).number(open);
 }
 
+void mix(Hasher& hasher, const descriptive::Line& line) {
+  const auto& [points, hidden, closed] = line;
+  mix(hasher, points);
+  hasher.number(hidden.size()).number(closed);
+  for (const auto& [from, to] : hidden) mixAll(hasher, from, to);
+}
+void mix(Hasher& hasher, const descriptive::Piece& piece) {
+  const auto& [name, kind, outlines, stiffness, front, back, thickness] = piece;
+  mixAll(hasher, kind, stiffness, front, back, thickness, outlines.size());
+  for (const descriptive::Outline& outline : outlines) {
+    hasher.number(outline.size());
+    for (const auto& [line, from, to] : outline) mixAll(hasher, line, from, to);
+  }
+}
+void mix(Hasher& hasher, const descriptive::Place& place) {
+  const auto& [line, share] = place;
+  mixAll(hasher, line, share);
+}
+
 /// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
   Hasher hasher;
@@ -278,6 +298,31 @@ ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEn
   return ShapeKey{hasher.value()};
 }
 
+DrawingKey drawingKey(const descriptive::Drawing& drawing) {
+  const auto& [size, lines, pieces, pins, folds, orders] = drawing;
+  Hasher hasher;
+  hasher.text("drawing").number(size.width).number(size.height);
+  mixAll(hasher, lines.size(), pieces.size(), pins.size(), folds.size(), orders.size());
+  for (const descriptive::Line& line : lines) mix(hasher, line);
+  for (const descriptive::Piece& piece : pieces) mix(hasher, piece);
+  for (const auto& [at, z] : pins) {
+    mix(hasher, at);
+    hasher.number(z);
+  }
+  for (const descriptive::Place& fold : folds) mix(hasher, fold);
+  for (const auto& [over, under, at] : orders) mixAll(hasher, over, under, at.x, at.y);
+  return DrawingKey{hasher.value()};
+}
+
+ShapeKey shapeKey(const document::ElementRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document, PartId part) {
+  const PieceIn piece = pieceIn(document, recipe, part);
+  Hasher hasher;
+  hasher.text("element").number(entry.contentHash).number(drawingKey(piece.drawing).hash).number(piece.number);
+  mix(hasher, coversOf(entry));
+  return ShapeKey{hasher.value()};
+}
+
 ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document) {
   return std::visit(
@@ -294,7 +339,8 @@ ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& 
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
-  const ShapeKey key = shapeKey(part.recipe, entry, document);
+  const document::ElementRecipe* element = document::elementOf(part);
+  const ShapeKey key = element ? shapeKey(*element, entry, document, part.id) : shapeKey(part.recipe, entry, document);
   return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
 }
 

@@ -15,6 +15,9 @@ IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::Pictur
 /// RibParams.
 TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry);
 
+/// Of a line drawing with its pieces; names are no part of it.
+DrawingKey drawingKey(const descriptive::Drawing& drawing);
+
 /// Of a whole shape of any kind, with its texture.
 /// `entry`: the part's own picture, one of the document's, which says how others look at it.
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document);
@@ -39,5 +42,10 @@ ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEn
 /// Of a shape: the picture, the primitive, the outlines and the views that they are drawn in.
 ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document);
+
+/// Of a piece of a line drawing: the picture, the whole drawing, and which piece it is. `part`: the one that it is, or
+/// whose place it takes; none: that of a piece with such outlines.
+ShapeKey shapeKey(const document::ElementRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document, PartId part = {});
 
 }  // namespace spineloft::pipeline

@@ -27,6 +27,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
   const names = all.filter((name) => !('drawing' in readJson(recipe(name))));
   assert.deepEqual(names.sort(), [
     'ball-from-two-circles',
+    'creature-of-lines',
     'hand',
     'helix',
     'ring',

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/document/params.h"
+#include "engine/document/pieces.h"
 #include "tests/support/random_recipes.h"
 
 namespace spineloft::testing {
@@ -306,6 +307,84 @@ struct Make<SetView> {
   }
 };
 
+DrawingId anyDrawing(Rng& rng, const Document& d) {
+  if (d.drawings.empty() || rng.below(20) == 0) return DrawingId{rng.below(9)};
+  return d.drawings[rng.below(static_cast<std::uint32_t>(d.drawings.size()))]->id;
+}
+LineId anyLine(Rng& rng, const Document& d, DrawingId id) {
+  const Drawing* drawing = findDrawing(d, id);
+  if (drawing == nullptr || drawing->lines.empty() || rng.below(20) == 0) return LineId{rng.below(9)};
+  return drawing->lines[rng.below(static_cast<std::uint32_t>(drawing->lines.size()))].id;
+}
+/// Of one drawing as often as not.
+PartId anyPiece(Rng& rng, const Document& d) {
+  const bool first = !d.drawings.empty() && rng.below(2) == 0;
+  const std::vector<const Part*> pieces = piecesOf(d, first ? d.drawings.front()->id : anyDrawing(rng, d));
+  return pieces.empty() ? anyPart(rng, d) : pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id;
+}
+PicturePoint anyPlace(Rng& rng) { return {rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; }
+
+template <>
+struct Make<DrawLine> {
+  static DrawLine from(Rng& rng, const Document& d) {
+    const bool closed = rng.below(3) != 0;
+    const bool more = !d.drawings.empty() && rng.below(2) == 0;
+    return {more ? d.drawings.front()->picture : anyPicture(rng, d),
+            closed ? anyRegion(rng, d).contours.front() : anyStroke(rng),
+            anyStretches(rng),
+            closed,
+            {}};
+  }
+};
+template <>
+struct Make<CloseLine> {
+  static CloseLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing), {}};
+  }
+};
+template <>
+struct Make<HideLine> {
+  static HideLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing), anyStretches(rng)};
+  }
+};
+template <>
+struct Make<DeleteLine> {
+  static DeleteLine from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    return {drawing, anyLine(rng, d, drawing)};
+  }
+};
+template <>
+struct Make<OrderPieces> {
+  static OrderPieces from(Rng& rng, const Document& d) {
+    const PartId over = anyPiece(rng, d);
+    const Part* part = findPart(d, over);
+    const ElementRecipe* element = part ? elementOf(*part) : nullptr;
+    const std::vector<const Part*> pieces = piecesOf(d, element ? element->drawing : DrawingId{});
+    const bool near = !pieces.empty() && rng.below(8) != 0;
+    return {over, near ? pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id : anyPart(rng, d),
+            anyPlace(rng)};
+  }
+};
+template <>
+struct Make<PinDepth> {
+  static PinDepth from(Rng& rng, const Document& d) {
+    const DrawingId drawing = anyDrawing(rng, d);
+    const bool given = rng.below(4) != 0;
+    return {drawing, anyLine(rng, d, drawing), rng.uniform(-0.05, 1.05),
+            given ? std::optional(rng.uniform(-30, 30)) : std::nullopt};
+  }
+};
+template <>
+struct Make<ShapePiece> {
+  static ShapePiece from(Rng& rng, const Document& d) {
+    return {anyPiece(rng, d), static_cast<descriptive::PieceKind>(rng.below(3))};
+  }
+};
+
 std::vector<PartId> anyParts(Rng& rng, const Document& d) {
   std::vector<PartId> parts(rng.below(4));
   for (PartId& part : parts) part = anyPart(rng, d);
@@ -427,6 +506,11 @@ document::Action randomAction(Rng& rng, const document::Document& document) {
   const std::size_t combine = Action(CombineParts{}).index(), lastOfSteps = Action(SetStepLook{}).index();
   if (which > combine && which <= lastOfSteps && document.steps.empty()) which = combine;
   if (which == combine && document.parts.size() < 2) which = 2;
+  // And what is asked of lines and pieces.
+  const std::size_t line = Action(DrawLine{}).index(), order = Action(OrderPieces{}).index();
+  const bool pair = !document.drawings.empty() && piecesOf(document, document.drawings.front()->id).size() > 1;
+  if (which > line && document.drawings.empty()) which = line;
+  if (which == order && !pair) which = line;
   return makeAction(std::make_index_sequence<kActions>{}, which, rng, document);
 }
 

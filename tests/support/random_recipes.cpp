@@ -199,4 +199,14 @@ shape::ShapeParams anyShape(Rng& rng) {
   return params;
 }
 
+std::vector<descriptive::Stretch> anyStretches(Rng& rng) {
+  std::vector<descriptive::Stretch> stretches;
+  const std::uint32_t count = rng.below(3);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double from = (i + rng.uniform(-0.05, 0.4)) / count;
+    stretches.push_back({from, from + rng.uniform(0, 0.5) / count});
+  }
+  return stretches;
+}
+
 }  // namespace spineloft::testing

@@ -26,5 +26,6 @@ stack::Rail anyRail(Rng& rng);
 stack::StackParams anyStackParams(Rng& rng);
 std::vector<document::Outline> anyOutlines(Rng& rng, const document::Document& d);
 shape::ShapeParams anyShape(Rng& rng);
+std::vector<descriptive::Stretch> anyStretches(Rng& rng);
 
 }  // namespace spineloft::testing

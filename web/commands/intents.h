@@ -137,6 +137,23 @@ Outcome setPrimitive(const CommandEnv& env, const Parts& parts, shape::Primitive
 /// None: it is no side of another one any more.
 Outcome setSidePicture(const CommandEnv& env, PictureId picture, std::optional<geometry::ViewFrom> from);
 
+// ---- Line drawings -----------------------------------------------------------------------------------------------
+
+/// One more line on a picture; what it closes becomes a piece, which is taken in hand.
+struct DrawLineIntent {
+  PictureId picture;
+  std::vector<PicturePoint> points;
+  std::vector<descriptive::Stretch> hidden = {};
+  bool closed = false;
+};
+Outcome drawLine(const CommandEnv& env, const DrawLineIntent& intent);
+Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line);
+/// Of bridgesOn the picture in view: who is behind comes to the front there.
+Outcome swapBridge(const CommandEnv& env, int bridge);
+Outcome chooseBridge(const CommandEnv& env, int bridge);
+/// What the pieces among the parts are made of their outlines.
+Outcome shapePieces(const CommandEnv& env, const Parts& parts, descriptive::PieceKind kind);
+
 // ---- Layers ------------------------------------------------------------------------------------------------------
 
 /// Closed curves on the sheet at a place of a part made of layers, or, without one, of a new part on the picture in

@@ -313,6 +313,7 @@ ToolKind toolFor(document::PartKind kind) {
     case document::PartKind::Loft:
     case document::PartKind::Stack:
     case document::PartKind::Shape:
+    case document::PartKind::Element:
     case document::PartKind::kCount:
       break;
   }
@@ -322,7 +323,8 @@ ToolKind toolFor(document::PartKind kind) {
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  if (document::stackOf(*part) || document::shapeOf(*part)) return refuse({Error::NotABone, {}});
+  if (document::stackOf(*part) || document::shapeOf(*part) || document::elementOf(*part))
+    return refuse({Error::NotABone, {}});
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};
   if (!env.ui.redraw) return {};

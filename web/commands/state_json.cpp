@@ -15,6 +15,7 @@
 #include "web/edit/shaping.h"
 #include "web/model/colour_text.h"
 
+#include "web/commands/drawing_json.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
 #include "web/edit/solid_editing.h"
@@ -74,7 +75,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
   json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone);
-  json.key("shapeHandle").number(ui.chosen.shape).key("outline");
+  json.key("shapeHandle").number(ui.chosen.shape).key("bridge").number(ui.chosen.bridge).key("outline");
   if (ui.chosen.outline) {
     json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
     json.number(static_cast<double>(ui.chosen.outline->point)).endArray();
@@ -94,6 +95,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("keepRibs").flag(edit.keepRibs).key("wholePicture").flag(edit.wholePicture);
   json.key("paintOver").flag(edit.paintOver);
   json.key("depthByPressure").flag(edit.depthByPressure).key("brush").number(edit.brush);
+  json.key("hiddenPen").flag(edit.hiddenPen);
   json.endObject();
 }
 
@@ -544,6 +546,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writeSheet(json, env);
   writeBoneHandles(json, env);
   writeShapeInHand(json, env);
+  writeDrawings(json, env);
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

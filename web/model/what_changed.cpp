@@ -114,6 +114,13 @@ std::string ofSteps(const Difference<Step>& steps) {
   return steps.changed.empty() ? std::string() : about("Solid", steps.changed);
 }
 
+/// What is on lines alone: one more that waits, a swap, a depth.
+std::string ofDrawings(const Difference<document::Drawing>& drawings) {
+  if (drawings.added.empty() && drawings.removed.empty() && drawings.changed.empty()) return {};
+  const bool order = !drawings.changed.empty() && drawings.changed.front()->orders != drawings.before.front()->orders;
+  return std::string(words::tr(order ? "Swap front and back" : "Lines"));
+}
+
 std::string ofPicture(const PictureEntry& before, const PictureEntry& after) {
   const char* what = before.name != after.name ? "Rename" : before.ignored != after.ignored ? "Ignore edges" : "Pen";
   return about(what, words::nameOf(after.name));
@@ -133,6 +140,7 @@ std::string whatChanged(const Document& before, const Document& after) {
     return steps;
   }
   if (std::string part = ofParts(parts); !part.empty()) return part;
+  if (std::string lines = ofDrawings(differenceOf(before.drawings, after.drawings)); !lines.empty()) return lines;
   if (!pictures.changed.empty()) return ofPicture(*pictures.before.front(), *pictures.changed.front());
   if (before.groups != after.groups) return std::string(words::tr("Group"));
   if (!(before.height == after.height)) return std::string(words::tr("Size"));

@@ -11,6 +11,7 @@
 #include "web/commands/command_actions.h"
 #include "web/commands/state_json.h"
 #include "web/edit/editing.h"
+#include "web/edit/line_drawing.h"
 #include "web/edit/preview.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/section_editing.h"
@@ -155,6 +156,11 @@ void App::settleChosen() {
     const auto count = seen ? static_cast<int>(shapeHandles(*seen).size()) : 0;
     if (ui_.chosen.shape >= count) ui_.chosen.shape = -1;
     if (ui_.hover.shape >= count) ui_.hover.shape = -1;
+  }
+  if (ui_.chosen.bridge >= 0 || ui_.hover.bridge >= 0) {
+    const auto count = static_cast<int>(lineMarks(studio_.document(), studio_.derived(), ui_).bridges.size());
+    if (ui_.chosen.bridge >= count) ui_.chosen.bridge = -1;
+    if (ui_.hover.bridge >= count) ui_.hover.bridge = -1;
   }
   if (!ui_.chosen.end && !ui_.hover.end) return;
   const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);

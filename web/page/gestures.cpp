@@ -30,8 +30,14 @@ void turnReach(UiState& ui, double by) {
   reach = std::clamp(reach + by, 0.0, kMostReach);
 }
 
+/// A pen whose button is held: browsers report it as the right button of a mouse.
+bool isBarrel(const PointerEvent& event) {
+  constexpr int kRight = 2;
+  return event.device == Device::Pen && (event.button == kRight || (event.buttons & kRight) != 0);
+}
+
 tools::ToolEvent toolEvent(const PointerEvent& event) {
-  return {pointOf(event), event.pressure, event.timeMs, event.modifiers, event.device};
+  return {pointOf(event), event.pressure, event.timeMs, event.modifiers, event.device, isBarrel(event)};
 }
 
 }  // namespace
@@ -145,7 +151,8 @@ std::unique_ptr<tools::Tool> Gestures::toolFor(const PointerEvent& event, Place 
     return std::make_unique<tools::TurnSolid>(tools::TurnSolid::Mode::Pan);
   }
   const bool finger = event.device == Device::Touch && ui.penSeen;
-  return tools::pictureTool(env, plain && !finger ? ui.tool : ToolKind::Hand);
+  const bool hidden = ui.tool == ToolKind::Lines && isBarrel(event) && !ui.spaceHeld;
+  return tools::pictureTool(env, (plain || hidden) && !finger ? ui.tool : ToolKind::Hand);
 }
 
 void Gestures::startPinch(const tools::ToolEnv& env) {

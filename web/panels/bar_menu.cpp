@@ -41,7 +41,11 @@ Grid gridFor(const PanelEnv& env, const BarSplit& split, const app::Rect& bar, d
   cell = std::ceil(cell);
   const double canvas = env.ui().canvasHeight - 2 * kEdge;
   const double beside = isColumn(bar) ? canvas : std::max(bar.y, env.ui().canvasHeight - bar.bottom()) - 2 * kEdge;
-  const Grid clear = gridFor(split.rest.size(), cell, side, beside);
+  Grid clear = gridFor(split.rest.size(), cell, side, beside);
+  // Beside a column rather with shorter words than over it.
+  const auto columns = static_cast<double>(clear.columns);
+  const double narrow = (bar.x - 2 * kEdge - 2 * kPadding + kGap) / columns - kGap;
+  if (isColumn(bar) && narrow >= 2 * side) clear.cell = std::floor(std::min(clear.cell, narrow));
   // Rather over its bar than wider than the canvas.
   return clear.width() <= env.ui().canvasWidth - 2 * kEdge ? clear : gridFor(split.rest.size(), cell, side, canvas);
 }

@@ -63,6 +63,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
   static constexpr Item kLayers[] = {{"layer-up", true},     {"layer-down", true}, {"layer-circle", true},
                                      {"layer-square", true}, {"layer-copy", true}, {"layer-face"},
                                      {"layer-remove"}};
+  static constexpr Item kLines[] = {{"seen-pen", true}, {"hidden-pen", true}};
   static constexpr Item kHollow[] = {{"hollow-use", true}, {"hollow-cancel", true}, {"hollow-next", true}};
   static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
   static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
@@ -79,6 +80,8 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
       return kPlace;
     case app::ToolKind::Layers:
       return kLayers;
+    case app::ToolKind::Lines:
+      return kLines;
     case app::ToolKind::Ribs:
       return kRibs;
     case app::ToolKind::Shape:

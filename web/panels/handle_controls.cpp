@@ -1,5 +1,5 @@
 // Handles that a pointer drags in the views, for those who use none: points of an outline, the depth of a spine, the
-// bones of a puff, a shape.
+// bones of a puff, a shape; bridges and rings of line drawings.
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "web/commands/intents.h"
 #include "web/edit/editing.h"
+#include "web/edit/line_drawing.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/region_editing.h"
@@ -166,6 +167,28 @@ void shapes(const PanelEnv& env) {
   }
 }
 
+/// Bridges of line drawings and rings at lines that are not closed.
+void lines(const PanelEnv& env) {
+  const app::LineMarks marks = app::lineMarks(env.document(), env.derived, env.ui());
+  const auto where = [](app::ClientPoint at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
+  if (!marks.bridges.empty()) {
+    const std::vector<app::Bridge> bridges = app::bridgesOn(env.document(), env.derived, env.ui().picture);
+    for (std::size_t i = 0; i < std::min(bridges.size(), marks.bridges.size()); ++i) {
+      const std::string now = app::bridgeSentence(env.document(), bridges[i]);
+      const PointControl what{"bridge" + std::to_string(i), words::tr("{what} Swap them here.", {{"what", now}}),
+                              where(marks.bridges[i])};
+      if (pointButton(env, what)) env.sink.run(app::swapBridge, static_cast<int>(i));
+    }
+  }
+  if (marks.looseEnds.empty()) return;
+  const std::vector<app::LooseEnd> ends = app::looseEndsOn(env.document(), env.derived, env.ui().picture);
+  for (std::size_t i = 0; i < std::min(ends.size(), marks.looseEnds.size()); ++i) {
+    const PointControl what{"end" + std::to_string(i), words::tr("A line is not closed here. Close it."),
+                            where(marks.looseEnds[i])};
+    if (pointButton(env, what)) env.sink.run(app::closeLine, ends[i].drawing, ends[i].line);
+  }
+}
+
 }  // namespace
 
 void tellHandles(const PanelEnv& env) {
@@ -174,6 +197,7 @@ void tellHandles(const PanelEnv& env) {
   depths(env);
   bones(env);
   shapes(env);
+  lines(env);
   ImGui::PopID();
 }
 

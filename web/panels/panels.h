@@ -33,6 +33,7 @@ void draw(const PanelEnv& env);
 void drawPictureOverlay(const PanelEnv& env);  ///< spines, ribs, outlines
 void drawBones(const PanelEnv& env);           ///< of a puff, over the picture
 void drawShapes(const PanelEnv& env);          ///< of the tool Shapes, over the picture
+void drawLineDrawing(const PanelEnv& env);     ///< of the tool Lines, over the picture
 /// Which shape is next, or from where the picture in view sees the one in hand; `room`: the card is at its upper right.
 /// How high it became; 0: there is none.
 double shapeCard(const PanelEnv& env, const app::Rect& room);

@@ -115,7 +115,10 @@ void drawRegion(ImDrawList& list, const PanelEnv& env, const document::Part& par
   const bool selected = part.id == ui.selection, lit = part.id == ui.hover.part;
   const app::Preview* preview = app::previewOf(ui, part.id);
   const auto& shown = preview ? preview->shape->contours : contours;
-  for (const auto& contour : shown) outlineStroke(list, ui, contour, selected, lit);
+  // The tool Lines shows its lines, and of the piece in hand the outline below them.
+  const bool byLines = ui.tool == app::ToolKind::Lines && document::elementOf(part) != nullptr;
+  if (byLines && !selected && !lit) return;
+  for (const auto& contour : shown) outlineStroke(list, ui, contour, selected && !byLines, lit || byLines);
   const document::Region* region = document::regionOf(preview ? preview->recipe : part.recipe);
   if (app::partWithPoints(env.document(), ui) != &part || region == nullptr) return;
   for (const app::OutlinePoint at : app::outlineHandles(*region)) {
@@ -308,6 +311,8 @@ void drawInHand(ImDrawList& list, const app::UiState& ui) {
     drawCutMark(list, ui, hand.stroke, hand.radius, brushColour(!ui.cut || ui.cut->adding, 130));
   } else if (hand.radius > 0) {
     drawMark(list, ui, {hand.stroke, hand.radius, ui.edit.paintOver}, false);
+  } else if (ui.tool == app::ToolKind::Lines) {
+    return;  // drawLineDrawing
   } else if (ui.tool == app::ToolKind::Shape || ui.tool == app::ToolKind::Primitive) {
     picturePolyline(list, ui, hand.stroke, {faded(kHalo, 220), 5.5f});
     picturePolyline(list, ui, hand.stroke, {toolColour(ui.tool), 2.6f});
@@ -403,6 +408,7 @@ void drawPictureOverlay(const PanelEnv& env) {
   drawParts(list, env);
   drawBones(env);
   drawShapes(env);
+  drawLineDrawing(env);
   drawAxis(list, env);
   drawPreview(list, env.ui());
   drawCut(list, env.ui());

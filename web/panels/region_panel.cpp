@@ -127,6 +127,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
     case document::PartKind::Lathe:
     case document::PartKind::Stack:
     case document::PartKind::Shape:
+    case document::PartKind::Element:
     case document::PartKind::Loft:
     case document::PartKind::kCount:
       break;
@@ -153,6 +154,15 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
     ImGui::PopStyleVar();
     if (app::enabled(app::commandOf("plain-outline"), env.env)) {
       wordButton(env, {"plain-outline", width, buttonSide(env), kAccent});
+    }
+  }
+  if (const document::ElementRecipe* piece = document::elementOf(part)) {
+    WordButtons buttons(env, width);
+    using descriptive::PieceKind;
+    for (const auto& [kind, text] : {std::pair{PieceKind::Round, "Round"}, std::pair{PieceKind::Flat, "Flat"}}) {
+      if (buttons.button(text, text, piece->kind == kind) && piece->kind != kind) {
+        env.sink.run(app::shapePieces, app::selectedParts(env.document(), env.ui()), kind);
+      }
     }
   }
   const auto table = document::paramTable(document::kindOf(part));

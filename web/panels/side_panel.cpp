@@ -70,6 +70,7 @@ const char* titleOf(const document::Part& region) {
   if (document::latheOf(region)) return "Spin";
   if (document::stackOf(region)) return "Layers";
   if (document::shapeOf(region)) return "Shape";
+  if (document::elementOf(region)) return "Piece";
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
 

@@ -50,6 +50,7 @@ ImU32 toolColour(app::ToolKind tool) {
     case app::ToolKind::Spin:
     case app::ToolKind::Layers:
     case app::ToolKind::Primitive:
+    case app::ToolKind::Lines:
       return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "web/edit/editing.h"
+#include "web/edit/line_drawing.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
@@ -236,6 +237,16 @@ const char* shapeHint(const PanelEnv& env) {
   return drawn ? "" : view.value() ? "Draw round the shape as it is seen here" : "Draw along its edge to change it";
 }
 
+/// Of the tool Lines.
+const char* lineHint(const PanelEnv& env) {
+  if (!env.ui().inHand.stroke.empty()) return "";
+  const app::LineMarks marks = app::lineMarks(env.document(), env.derived, env.ui());
+  if (!marks.looseEnds.empty()) return "Draw on from a ring, or tap it to close the line";
+  if (env.document().drawings.empty()) return "Draw a closed line: it becomes a piece";
+  return marks.bridges.empty() ? "Draw one more piece. What is behind, draw with Hidden"
+                               : "Tap a bridge to swap front and back there";
+}
+
 /// What one may do in the picture next, of what the tool in use is for; empty: it is known.
 const char* hintFor(const PanelEnv& env) {
   const app::Rect& view = env.ui().layout.picture;
@@ -251,6 +262,7 @@ const char* hintFor(const PanelEnv& env) {
   const bool told = env.ui().pointsKnown || env.ui().redraw || drawing;
   if (regionTool && !told && part && document::regionOf(part->recipe)) return "Tap the part to change its outline";
   if (tool == app::ToolKind::Primitive && !drawing && !env.ui().cut && view.height > kShapeRoom) return shapeHint(env);
+  if (tool == app::ToolKind::Lines && view.height > kShapeRoom) return lineHint(env);
   const bool rib = tool == app::ToolKind::Ribs || tool == app::ToolKind::Shape;
   const bool posed = rib && part && !document::loftIn(*part).pose.isRest();
   return posed && view.height > 300 ? "Ribs are changed where they were drawn" : "";
@@ -312,13 +324,14 @@ void drawViewChrome(const PanelEnv& env) {
                          : asIs(words::tr("Solid, {size} tall", {{"size", size}}));
   chip(env, layout.solid, solid, !onPicture);
   // The most used first. Fingers pinch: they need no zoom buttons.
-  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "shapes", "spin", "layers", "hand", "fit"};
+  constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "shapes", "lines", "spin", "layers", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
-  constexpr app::CommandId kPictureFew[] = {"draw",   "puff", "ribs",   "bone", "sheet",        "shape",
-                                            "shapes", "spin", "layers", "hand", "ignore-edges", "fit"};
-  constexpr app::CommandId kPictureAll[] = {"draw", "puff",  "sheet", "shapes",       "spin", "layers",   "hand",
-                                            "ribs", "shape", "bone",  "ignore-edges", "fit",  "zoom-out", "zoom-in"};
+  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",   "bone", "sheet",        "shape", "shapes",
+                                            "lines", "spin", "layers", "hand", "ignore-edges", "fit"};
+  constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "shapes",   "lines",
+                                            "spin", "layers",       "hand",  "ribs",     "shape",
+                                            "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
   constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
   constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;

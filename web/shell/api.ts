@@ -88,6 +88,35 @@ export interface ShapeInfo {
   outlines: { picture: number; lines: PicturePoint[][] }[];
 }
 
+/** A line drawing: its lines and pieces, and what follows from them. Picture pixels; places along lines are shares of their length. */
+export interface LineDrawing {
+  id: number;
+  picture: number;
+  /** `waits`: no piece has a stretch of it. */
+  lines: {
+    id: number;
+    points: PicturePoint[];
+    hidden: [from: number, to: number][];
+    closed: boolean;
+    waits: boolean;
+  }[];
+  pieces: { part: number; kind: 'round' | 'flat'; outlines: { line: number; from: number; to: number }[][] }[];
+  /** Depths that are given: larger is nearer to the viewer. */
+  pins: { line: number; at: number; z: number }[];
+  /** Parts that overlap at a place: who is in front there, and whether a line says so, it follows, it is a guess, or it was told. */
+  orders: {
+    over: number;
+    under: number;
+    at: PicturePoint;
+    kind: 'over' | 'inside';
+    from: 'drawn' | 'deduced' | 'guessed' | 'user';
+  }[];
+  /** Parts whose lines cannot all be as they are drawn; without a place it is their depths that cannot. */
+  contradictions: { pieces: number[]; at: PicturePoint | null }[];
+  /** Where lines that wait end at nothing. */
+  openEnds: { line: number; at: PicturePoint }[];
+}
+
 /** The bones found in the outline of a puff with a slice, as changed by hand; picture pixels. */
 export interface PuffBones {
   ends: number;
@@ -109,8 +138,8 @@ export interface PuffBones {
 export interface Part {
   id: number;
   name: string;
-  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece, 'lathe' = a line turned about an axis, 'stack' = closed lines above each other, 'shape' = a ball, a box or another shape. */
-  kind: 'loft' | 'puff' | 'sheet' | 'lathe' | 'stack' | 'shape';
+  /** How the part was made: 'loft' = one stroke with ribs, 'puff' = a region that swells, 'sheet' = a flat piece, 'lathe' = a line turned about an axis, 'stack' = closed lines above each other, 'shape' = a ball, a box or another shape, 'element' = a piece of a line drawing. */
+  kind: 'loft' | 'puff' | 'sheet' | 'lathe' | 'stack' | 'shape' | 'element';
   /** Key of the slice, such as 'circle' or 'rounded-square'. */
   section: string;
   /** All slices along the bone, in order. */
@@ -273,7 +302,7 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes', 'lines' */
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
@@ -297,6 +326,12 @@ export interface State {
   shapeOutline: PicturePoint[];
   /** What it can take hold of there, in CSS pixels of the canvas: both ends of the axis, the middle, the width; in a side picture the depth. */
   shapeHandles: { hold: 'from' | 'to' | 'middle' | 'width' | 'depth'; at: [number, number] }[];
+  /** Line drawings. */
+  drawings: LineDrawing[];
+  /** Where the tool 'lines' swaps two parts that overlap in the picture in view, in CSS pixels of the canvas. */
+  bridges: { over: number; under: number; guessed: boolean; at: [number, number] }[];
+  /** Where it closes a line, the same. */
+  lineEnds: [number, number][];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */
@@ -339,6 +374,7 @@ export interface State {
     handle: number;
     boneHandle: number;
     shapeHandle: number;
+    bridge: number;
     outline: [number, number] | null;
   };
   /** Rib ends that the line in hand moves. */
@@ -353,6 +389,8 @@ export interface State {
     paintOver: boolean;
     depthByPressure: boolean;
     brush: number;
+    /** Lines of the tool 'lines' have something in front of them. */
+    hiddenPen: boolean;
   };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];

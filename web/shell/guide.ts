@@ -17,7 +17,7 @@ const kCompactWidth = 1000;
 /** One line about what to do next; '' where none is needed. */
 function adviceFor({ picture, parts, tool, penMenu }: ShellView): string {
   if (!picture || parts > 0 || penMenu) return ''; // a menu needs the room
-  if (tool === 'spin' || tool === 'layers' || tool === 'shapes') return ''; // the view says what to draw
+  if (tool === 'spin' || tool === 'layers' || tool === 'shapes' || tool === 'lines') return ''; // the view says what to draw
   if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
   if (picture.sketch && tool !== 'draw') return picture.finished ? 'Take Line and draw through its middle' : '';
   if (picture.sketch && picture.finished) return ''; // line, puff and flat are offered beside the drawing

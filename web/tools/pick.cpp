@@ -6,6 +6,7 @@
 #include "engine/geometry/line_distance.h"
 #include "web/commands/intents.h"
 #include "web/edit/gizmo.h"
+#include "web/edit/line_drawing.h"
 #include "web/edit/outline.h"
 #include "web/edit/picker.h"
 #include "web/edit/placing.h"
@@ -118,6 +119,10 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
     hover.bone = app::boneAt(app::boneHandles(puff), ui, event.at, reachOf(event), lineReach);
   } else if (ui.tool == ToolKind::Primitive) {
     pickShape(env, p, {reachOf(event), kOutlineReach * reach}, hover);
+  } else if (ui.tool == ToolKind::Lines) {
+    const app::LineMarks marks = app::lineMarks(env.document, env.derived, ui);
+    hover.bridge = app::nearestOf(marks.bridges, event.at, reachOf(event));
+    if (hover.bridge < 0) hover.looseEnd = app::nearestOf(marks.looseEnds, event.at, reachOf(event));
   } else if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (app::drawsRegions(ui.tool)) {
@@ -196,6 +201,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
       return hover.outline || hover.axis >= 0 ? "grab" : "crosshair";
     case ToolKind::Primitive:
       return hover.shape >= 0 ? "grab" : "crosshair";
+    case ToolKind::Lines:
+      return hover.bridge >= 0 || hover.looseEnd >= 0 ? "pointer" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";
     default:

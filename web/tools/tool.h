@@ -17,6 +17,7 @@ struct ToolEvent {
   double timeMs = 0;
   int modifiers = 0;  ///< bits of platform::Modifier
   platform::Device device = platform::Device::Mouse;
+  bool barrel = false;  ///< the button of a pen is held
   bool touch() const { return device == platform::Device::Touch; }
 };
 

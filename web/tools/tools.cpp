@@ -4,6 +4,7 @@
 #include "web/tools/depth_tool.h"
 #include "web/tools/draw_spine.h"
 #include "web/tools/ignore_tool.h"
+#include "web/tools/line_tool.h"
 #include "web/tools/pan_picture.h"
 #include "web/tools/place_tool.h"
 #include "web/tools/primitive_tool.h"
@@ -37,6 +38,8 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
       return std::make_unique<RegionTool>();
     case ToolKind::Primitive:
       return std::make_unique<PrimitiveTool>();
+    case ToolKind::Lines:
+      return std::make_unique<LineTool>();
     case ToolKind::Pen:
     case ToolKind::Eraser:
       return std::make_unique<SketchPen>(kind == ToolKind::Eraser);

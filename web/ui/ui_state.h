@@ -46,10 +46,11 @@ enum class ToolKind : std::uint8_t {
   Spin,       ///< a line beside an axis: it is turned about it
   Layers,     ///< closed lines on a sheet in the solid view, one above the other
   Primitive,  ///< shapes: from one end of the axis to the other; their handles and outlines
+  Lines,      ///< lines of a line drawing, seen and hidden: what they close becomes a piece
   kCount
 };
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin",
-/// "layers", "shapes".
+/// "layers", "shapes", "lines".
 std::string_view toolKey(ToolKind tool);
 /// What it draws is a part that is made of a region.
 constexpr bool drawsRegions(ToolKind tool) {
@@ -171,6 +172,8 @@ struct Hover {
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
   int shape = -1;                    ///< of shapeHandles of the shape in hand
   bool outlineOfShape = false;       ///< a line from here redraws its outline
+  int bridge = -1;                   ///< of bridgesOn: where a tap swaps two pieces of a line drawing
+  int looseEnd = -1;                 ///< of looseEndsOn: where a tap closes a line
   std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
@@ -183,6 +186,7 @@ struct Chosen {
   std::optional<OutlinePoint> outline = {};  ///< of what is made of a region
   int bone = -1;                             ///< of boneHandles of a puff
   int shape = -1;                            ///< of shapeHandles of a shape
+  int bridge = -1;                           ///< of bridgesOn
   bool operator==(const Chosen&) const = default;
 };
 
@@ -190,6 +194,7 @@ struct Chosen {
 struct InHand {
   std::vector<PicturePoint> stroke;   ///< picture pixels
   double radius = 0;                  ///< of a brush, picture pixels; 0: a thin line
+  bool hidden = false;                ///< the stroke is of a hidden line
   bool box = false;                   ///< the stroke's first and last point span a box
   std::vector<ribs::EndRef> touched;  ///< rib ends that it moves
   std::optional<ribs::EndRef> end;    ///< the one that is dragged
@@ -205,6 +210,7 @@ struct EditOptions {
   bool wholePicture = false;     ///< a scribble counts for all parts of the picture
   bool paintOver = false;        ///< what a scribble covers is not on the part
   bool depthByPressure = false;  ///< a pen's pressure becomes the depth of the spine
+  bool hiddenPen = false;        ///< lines of a line drawing have something in front of them
   double brush = 14;             ///< radius of a scribble, CSS pixels
   bool operator==(const EditOptions&) const = default;
 };

@@ -6,25 +6,14 @@
 #include "engine/document/checks.h"
 #include "engine/document/renumber.h"
 #include "engine/document/update.h"
+#include "tests/support/after.h"
 #include "tests/support/random_documents.h"
 
 using namespace spineloft;
 using namespace spineloft::document;
+using namespace spineloft::testing;
 
 namespace {
-
-Document after(Document document, const std::vector<Action>& actions) {
-  for (const Action& action : actions) {
-    Result<Document> next = update(document, action);
-    REQUIRE_MESSAGE(next.ok(), failureSentence(next.ok() ? Failure{} : next.failure()));
-    document = std::move(next).value();
-  }
-  return document;
-}
-Error errorOf(const Document& document, const Action& action) {
-  const Result<Document> next = update(document, action);
-  return next.ok() ? Error::kCount : next.error();
-}
 
 constexpr PictureId kFront{1}, kSide{2}, kOther{3};
 const PictureView kRight{kFront, {geometry::ViewFrom::Right, 60, 1, 0}};

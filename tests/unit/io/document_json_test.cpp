@@ -57,6 +57,10 @@ bool couldBeMade(const Document& document) {
     if (tidyName(entry.name, "x") != entry.name) return false;
     if (entry.view && !checkView(document, entry.id, *entry.view)) return false;
   }
+  for (const Drawing& drawing : document.drawings) {
+    if (drawing.id.value == 0 || drawing.id.value > document.lastDrawingId) return false;
+    if (drawing.lines.empty() || !checkDrawing(document, drawing)) return false;
+  }
   for (const Part& part : document.parts) {
     if (!checkDrawn(document, part.recipe)) return false;
     if (const LoftRecipe* recipe = loftOf(part)) {
@@ -69,6 +73,7 @@ bool couldBeMade(const Document& document) {
     if (extrudeOf(part) && !isValid(extrudeOf(part)->extrude)) return false;
     if (stackOf(part) && !isValid(stackOf(part)->stack)) return false;
     if (shapeOf(part) && !isValid(shapeOf(part)->shape)) return false;
+    if (elementOf(part) && !checkElement(document, *elementOf(part))) return false;
     for (const ParamInfo& info : paramTable(kindOf(part))) {
       if (info.get(part.recipe) < info.low || info.get(part.recipe) > info.high) return false;
     }
@@ -97,7 +102,7 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 TEST_CASE("every document of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
   for (const std::uint64_t seed : testing::seeds(0, 60)) {
-    const std::vector<Document> documents = randomSession(seed, 60, &succeeded);
+    const std::vector<Document> documents = randomSession(seed, 90, &succeeded);
     for (std::size_t i = seed % 7; i < documents.size(); i += 7) {
       ReadNotes notes;
       const std::string text = writeDocument(documents[i]);
@@ -241,9 +246,18 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
       lift(entry.id);
       if (entry.view) lift(entry.view->of);
     });
+    each(large.drawings, [&](Drawing& drawing) {
+      lift(drawing.id);
+      lift(drawing.picture);
+      for (PieceOrder& order : drawing.orders) {
+        lift(order.over);
+        lift(order.under);
+      }
+    });
     each(large.parts, [&](Part& part) {
       lift(part.id);
       lift(part.group);
+      if (ElementRecipe* element = elementOf(part)) lift(element->drawing);
       setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
       if (ShapeRecipe* shape = shapeOf(part)) {
         for (Outline& outline : shape->outlines) lift(outline.picture);
@@ -257,7 +271,8 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
       }
     });
     for (Group& group : large.groups) lift(group.id);
-    for (std::uint32_t* last : {&large.lastPictureId, &large.lastPartId, &large.lastStepId, &large.lastGroupId}) {
+    for (std::uint32_t* last :
+         {&large.lastPictureId, &large.lastPartId, &large.lastStepId, &large.lastGroupId, &large.lastDrawingId}) {
       *last += kMostOpenedId;
     }
     const auto read = readDocument(writeDocument(large), photos);

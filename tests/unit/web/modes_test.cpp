@@ -23,7 +23,7 @@ struct TestHand final : app::Hand {
   void drop() override { held = false; }
 };
 
-/// A picture with a loft, a region and a shape, steps to undo and one to redo.
+/// A picture with a loft, a region, a shape and two pieces of lines, steps to undo and one to redo.
 struct Desk {
   test::FakeHost host;
   app::Studio studio{host, 0};
@@ -39,9 +39,11 @@ struct Desk {
     run("draw-puff", R"({"contours":[[[40,40],[90,45],[80,120],[35,100]]]})");
     run("puff-slice", R"({"slice":"round"})");
     run("draw-shape", R"({"kind":"ball","axis":[[150,80],[150,40]]})");
+    run("draw-line", R"({"points":[[20,130],[80,130],[80,180],[20,180]],"closed":true})");
+    run("draw-line", R"({"points":[[60,140],[120,140],[120,170],[60,170]],"closed":true})");
     run("rename-model", R"({"name":"A swan"})");
     run("undo");
-    REQUIRE(studio.document().parts.size() == 3);
+    REQUIRE(studio.document().parts.size() == 5);
     do {
       studio.pump();
       studio.derived();
@@ -53,7 +55,7 @@ struct Desk {
     REQUIRE(done.ok());
   }
 
-  PartId anyPart(Rng& rng) { return studio.document().parts[rng.below(3)]->id; }
+  PartId anyPart(Rng& rng) { return studio.document().parts[rng.below(5)]->id; }
   /// Opens and closes what modes are about, each with a chance of a quarter.
   void pile(Rng& rng) {
     const auto chance = [&] { return rng.below(4) == 0; };
@@ -75,13 +77,14 @@ struct Desk {
     ui.selection = chance() ? PartId{} : anyPart(rng);
     ui.focus = chance() ? app::Focus::Solid : app::Focus::Picture;
     using enum app::ToolKind;
-    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive}[rng.below(8)];
+    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines}[rng.below(9)];
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;
     if (rng.below(2) == 0) ui.chosen.bone = 0;
     if (rng.below(2) == 0) ui.chosen.outline = app::OutlinePoint{};
     if (rng.below(2) == 0) ui.chosen.shape = 0;
+    if (rng.below(2) == 0) ui.chosen.bridge = 0;
     studio.cancelWork();
     studio.pump();
     vision::CutHints hints;

@@ -1,0 +1,291 @@
+#include "engine/document/update_drawings.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "engine/descriptive/outlines.h"
+#include "engine/document/checks.h"
+#include "engine/document/pieces.h"
+#include "engine/document/update_parts.h"
+
+namespace spineloft::document {
+namespace {
+
+/// Changes the drawing with this id: `change` gets a copy and says whether it may replace the original. Error:
+/// NoSuchLine.
+template <class Change>
+Status editDrawing(Document& document, DrawingId id, const Change& change) {
+  const auto at = std::ranges::find_if(document.drawings, [&](const Drawing& drawing) { return drawing.id == id; });
+  if (at == document.drawings.end()) return Error::NoSuchLine;
+  Drawing copy = *at;
+  if (Status status = change(copy); !status) return status;
+  *at = std::move(copy);
+  return Done{};
+}
+
+/// The same for one of its lines.
+template <class Change>
+Status editLine(Document& document, DrawingId id, LineId line, const Change& change) {
+  return editDrawing(document, id, [&](Drawing& drawing) -> Status {
+    const auto at = std::ranges::find(drawing.lines, line, &DrawnLine::id);
+    if (at == drawing.lines.end()) return Error::NoSuchLine;
+    change(*at);
+    return checkLines(document, drawing);
+  });
+}
+
+/// Changes every piece of a drawing; one without outlines goes.
+template <class Change>
+void editPieces(Document& document, DrawingId drawing, const Change& change) {
+  std::vector<PartId> gone;
+  for (Box<Part>& box : document.parts) {
+    const ElementRecipe* element = elementOf(*box);
+    if (element == nullptr || element->drawing != drawing) continue;
+    Part part = box;
+    if (!change(part.id, *elementOf(part))) continue;
+    if (elementOf(part)->outlines.empty()) gone.push_back(part.id);
+    box = std::move(part);
+  }
+  for (const PartId id : gone) erasePart(document, id);
+}
+
+/// Makes pieces of what the lines of a drawing enclose.
+class Encloser {
+ public:
+  Encloser(Document& document, DrawingId id) : document_(document), drawing_(*findDrawing(document, id)) {}
+
+  /// Outlines that have the changed line, or only lines of no piece, become pieces. One that has a line of a piece
+  /// already becomes the outline of that piece; of several pieces the oldest stays.
+  Status enclose(LineId changed, const Look& look) {
+    const PlainDrawing plain = plainDrawing(document_, drawing_);
+    const auto lines = descriptive::meetingLines(plain.drawing.lines);
+    if (!lines) return lines.failure();
+    const auto nodes = descriptive::nodesOf(lines.value(), descriptive::sizeOf(plain.drawing.lines));
+    const std::vector<LineId> free = freeLines(document_, drawing_);
+    for (const descriptive::Outline& runs : descriptive::proposeOutlines(lines.value(), nodes)) {
+      LineOutline outline;
+      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing_.lines[line].id, from, to});
+      const bool isFree = std::ranges::all_of(outline.runs, [&](const LineRun& run) {
+        return !isWhole(run) || std::ranges::find(free, run.line) != free.end();
+      });
+      if (!isFree && !owns(outline, changed)) continue;
+      if (Status status = take(outline, look); !status) return status;
+    }
+    return Done{};
+  }
+
+ private:
+  Status take(const LineOutline& outline, const Look& look) {
+    const auto isReplaced = [&](const LineOutline& old) {
+      return std::ranges::any_of(old.runs, [&](const LineRun& run) { return isWhole(run) && owns(outline, run.line); });
+    };
+    PartId owner;
+    const std::vector<const Part*> pieces = piecesOf(document_, drawing_.id);
+    for (const Part* part : pieces) {
+      if (!owner && std::ranges::any_of(elementOf(*part)->outlines, isReplaced)) owner = part->id;
+    }
+    if (!owner) {
+      if (Status room = roomForPart(document_); !room) return room;
+      if (pieces.size() >= descriptive::kMostPieces) return {Error::ValueOutOfRange, "too many pieces"};
+      addPart(document_, ElementRecipe{.picture = drawing_.picture, .drawing = drawing_.id, .outlines = {outline}},
+              look);
+      return Done{};
+    }
+    editPieces(document_, drawing_.id, [&](PartId id, ElementRecipe& element) {
+      const auto first = std::ranges::find_if(element.outlines, isReplaced);
+      if (first == element.outlines.end()) return false;
+      if (id == owner) *first = outline;
+      element.outlines.erase(std::remove_if(id == owner ? first + 1 : first, element.outlines.end(), isReplaced),
+                             element.outlines.end());
+      return true;
+    });
+    return Done{};
+  }
+
+  Document& document_;
+  const Drawing drawing_;
+};
+
+/// A line goes from an outline, which closes straight; whether anything of its own is left.
+bool leaves(LineOutline& outline, LineId line) {
+  std::erase_if(outline.runs, [&](const LineRun& run) { return run.line == line; });
+  return std::ranges::any_of(outline.runs, isWhole);
+}
+
+/// Lines go, out of the pieces and marks of the drawing too.
+void eraseLines(Document& document, Drawing& drawing, const std::set<LineId>& gone) {
+  const auto isGone = [&](const auto& mark) { return gone.contains(mark.line); };
+  std::erase_if(drawing.lines, [&](const DrawnLine& line) { return gone.contains(line.id); });
+  std::erase_if(drawing.pins, isGone);
+  std::erase_if(drawing.folds, isGone);
+  editPieces(document, drawing.id, [&](PartId, ElementRecipe& element) {
+    bool changed = false;
+    std::erase_if(element.outlines, [&](LineOutline& outline) {
+      bool whole = true;
+      for (const LineId line : gone) {
+        if (std::ranges::find(outline.runs, line, &LineRun::line) == outline.runs.end()) continue;
+        changed = true;
+        whole = leaves(outline, line);
+      }
+      return !whole;
+    });
+    return changed;
+  });
+}
+
+}  // namespace
+
+Status applyDrawing(Document& document, const DrawLine& a) {
+  if (findPicture(document, a.picture) == nullptr) return Error::NoSuchPicture;
+  const Drawing* there = drawingOn(document, a.picture);
+  if (there == nullptr) {
+    if (document.drawings.size() >= kMostDrawings) return {Error::ValueOutOfRange, "too many drawings"};
+    Drawing drawing;
+    drawing.id = DrawingId{++document.lastDrawingId};
+    drawing.picture = a.picture;
+    document.drawings.push_back(std::move(drawing));
+    there = &document.drawings.back().get();
+  }
+  const DrawingId id = there->id;
+  LineId line;
+  const Status drawn = editDrawing(document, id, [&](Drawing& drawing) {
+    line = LineId{++drawing.lastLineId};
+    drawing.lines.push_back({line, a.points, a.hidden, a.closed});
+    return checkLines(document, drawing);
+  });
+  if (!drawn) return drawn;
+  return Encloser(document, id).enclose(line, a.look);
+}
+
+Status applyDrawing(Document& document, const CloseLine& a) {
+  const Status closed = editLine(document, a.drawing, a.line, [](DrawnLine& line) { line.closed = true; });
+  if (!closed) return closed;
+  return Encloser(document, a.drawing).enclose(a.line, a.look);
+}
+
+Status applyDrawing(Document& document, const HideLine& a) {
+  return editLine(document, a.drawing, a.line, [&](DrawnLine& line) { line.hidden = a.hidden; });
+}
+
+Status applyDrawing(Document& document, const DeleteLine& a) {
+  const Drawing* there = findDrawing(document, a.drawing);
+  if (there == nullptr || findLine(*there, a.line) == nullptr) return Error::NoSuchLine;
+  Drawing drawing = *there;
+  eraseLines(document, drawing, {a.line});
+  return editDrawing(document, a.drawing, [&](Drawing& whole) -> Status {
+    whole = std::move(drawing);
+    return Done{};
+  });
+}
+
+Status applyDrawing(Document& document, const OrderPieces& a) {
+  const Part *over = findPart(document, a.over), *under = findPart(document, a.under);
+  if (over == nullptr || under == nullptr) return Error::NoSuchPart;
+  const ElementRecipe *front = elementOf(*over), *back = elementOf(*under);
+  if (front == nullptr || back == nullptr) return Error::NotAPiece;
+  if (a.over == a.under || front->drawing != back->drawing || !isFinite(a.at)) return {Error::ValueOutOfRange, "order"};
+  return editDrawing(document, front->drawing, [&](Drawing& drawing) -> Status {
+    std::erase_if(drawing.orders, [&](const PieceOrder& old) {
+      const bool same = (old.over == a.over && old.under == a.under) || (old.over == a.under && old.under == a.over);
+      return same && old.at == a.at;
+    });
+    drawing.orders.push_back({a.over, a.under, a.at});
+    return checkDrawing(document, drawing);
+  });
+}
+
+Status applyDrawing(Document& document, const PinDepth& a) {
+  return editDrawing(document, a.drawing, [&](Drawing& drawing) -> Status {
+    std::erase_if(drawing.pins, [&](const DepthPin& pin) { return pin.line == a.line && pin.at == a.at; });
+    if (a.z) drawing.pins.push_back({a.line, a.at, *a.z});
+    return checkDrawing(document, drawing);
+  });
+}
+
+Status applyDrawing(Document& document, const ShapePiece& a) {
+  const auto at = std::ranges::find_if(document.parts, [&](const Part& part) { return part.id == a.part; });
+  if (at == document.parts.end()) return Error::NoSuchPart;
+  Part part = *at;
+  ElementRecipe* element = elementOf(part);
+  if (element == nullptr) return Error::NotAPiece;
+  element->kind = a.kind;
+  if (Status sound = checkElement(document, *element); !sound) return sound;
+  *at = std::move(part);
+  return Done{};
+}
+
+void settleDrawings(const Document& before, Document& document) {
+  if (before.drawings.empty() && document.drawings.empty()) return;
+  std::map<DrawingId, std::set<LineId>> loose;
+  for (const Box<Part>& old : before.parts) {
+    const ElementRecipe* was = elementOf(*old);
+    if (was == nullptr) continue;
+    const Part* now = findPart(document, old->id);
+    const ElementRecipe* is = now == nullptr ? nullptr : elementOf(*now);
+    if (is != nullptr && is->drawing == was->drawing) continue;
+    for (const LineOutline& outline : was->outlines) {
+      for (const LineRun& run : outline.runs) {
+        if (isWhole(run)) loose[was->drawing].insert(run.line);
+      }
+    }
+  }
+  for (Box<Drawing>& box : document.drawings) {
+    Drawing drawing = box;
+    if (std::set<LineId>& lines = loose[drawing.id]; !lines.empty()) {
+      for (const Part* part : piecesOf(document, drawing.id)) {
+        std::erase_if(lines, [&](LineId line) { return owns(*elementOf(*part), line); });
+      }
+      eraseLines(document, drawing, lines);
+    }
+    const std::vector<const Part*> pieces = piecesOf(document, drawing.id);
+    const auto isPiece = [&](PartId id) { return std::ranges::find(pieces, id, &Part::id) != pieces.end(); };
+    std::erase_if(drawing.orders,
+                  [&](const PieceOrder& order) { return !isPiece(order.over) || !isPiece(order.under); });
+    if (!(*box == drawing)) box = std::move(drawing);
+  }
+  std::erase_if(document.drawings, [&](const Drawing& drawing) {
+    return drawing.lines.empty() || findPicture(document, drawing.picture) == nullptr;
+  });
+}
+
+Status copyDrawings(Document& document, const std::vector<std::pair<PartId, PartId>>& originals) {
+  std::map<DrawingId, Drawing> copies;  // by the original
+  std::map<PartId, PartId> copyOf;
+  for (const auto& [original, copy] : originals) copyOf[original] = copy;
+  for (Box<Part>& box : document.parts) {
+    const bool isCopy = std::ranges::any_of(originals, [&](const auto& pair) { return pair.second == box->id; });
+    if (!isCopy || elementOf(*box) == nullptr) continue;
+    Part part = box;
+    ElementRecipe& element = *elementOf(part);
+    const auto [at, isNew] = copies.try_emplace(element.drawing);
+    if (isNew) {
+      at->second = *findDrawing(document, element.drawing);
+      at->second.id = DrawingId{++document.lastDrawingId};
+    }
+    element.drawing = at->second.id;
+    box = std::move(part);
+  }
+  if (document.drawings.size() + copies.size() > kMostDrawings) return {Error::ValueOutOfRange, "too many drawings"};
+  for (auto& [original, drawing] : copies) {
+    std::vector<PieceOrder> orders;
+    for (PieceOrder order : drawing.orders) {
+      if (!copyOf.contains(order.over) || !copyOf.contains(order.under)) continue;
+      orders.push_back({copyOf[order.over], copyOf[order.under], order.at});
+    }
+    drawing.orders = std::move(orders);
+    std::set<LineId> unused;
+    for (const DrawnLine& line : drawing.lines) unused.insert(line.id);
+    for (const Part* part : piecesOf(document, drawing.id)) {
+      for (const LineOutline& outline : elementOf(*part)->outlines) {
+        for (const LineRun& run : outline.runs) unused.erase(run.line);
+      }
+    }
+    eraseLines(document, drawing, unused);
+    document.drawings.push_back(std::move(drawing));
+  }
+  return Done{};
+}
+
+}  // namespace spineloft::document

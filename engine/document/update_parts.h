@@ -1,0 +1,15 @@
+// How parts come and go. Internal to document/.
+#pragma once
+
+#include "engine/document/document.h"
+
+namespace spineloft::document {
+
+/// A new part at the end of the list, with the next id and a name of its own.
+void addPart(Document& document, Recipe recipe, const Look& look);
+/// A part goes, out of every step too.
+void erasePart(Document& document, PartId id);
+/// Error: ValueOutOfRange.
+Status roomForPart(const Document& document);
+
+}  // namespace spineloft::document

@@ -1,0 +1,209 @@
+// Line drawings by real pointers: a body, two half hidden legs and a tail, bridges, rings and pens. What else the tool
+// does is said by tests/unit/web/line_tool_test.cpp.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { onCanvas, press, strokeAlong } from './support/hands.mjs';
+import { exported, idle, kPhone, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
+
+const kit = useSite();
+const kDesk = { viewport: { width: 1440, height: 900 }, hasTouch: true };
+
+const kBody = { x: 300, y: 190, a: 150, b: 90 };
+/** A closed line, picture pixels. */
+const ellipse = (x, y, a, b, count = 24) =>
+  Array.from({ length: count + 1 }, (_, i) => {
+    const t = (2 * Math.PI * i) / count;
+    return [x + a * Math.sin(t), y + b * Math.cos(t)];
+  });
+const belly = (x) => kBody.y + kBody.b * Math.sqrt(1 - ((x - kBody.x) / kBody.a) ** 2);
+
+/** What is seen of a leg of this width: from the belly down and back up. */
+function leg(x, width = 44, foot = 390) {
+  const down = [0, 0.3, 0.6, 0.9].map((t) => [x, belly(x) + (foot - belly(x)) * t]);
+  const round = [0.1, 0.3, 0.5, 0.7, 0.9].map((t) => [
+    x + (width / 2) * (1 - Math.cos(Math.PI * t)),
+    foot + 22 * Math.sin(Math.PI * t),
+  ]);
+  const up = [0.9, 0.6, 0.3, 0].map((t) => [x + width, belly(x + width) + (foot - belly(x + width)) * t]);
+  return [...down, ...round, ...up];
+}
+/** The rest of it, behind the body. */
+const hip = (x, width = 44) =>
+  [0, 0.25, 0.5, 0.75, 1].map((t) => [
+    x + width * (1 - t),
+    belly(x + width * (1 - t)) - 46 * Math.sin(Math.PI * t) - (t > 0 && t < 1 ? 4 : 0),
+  ]);
+
+const draw = async (page, device, points) => strokeAlong(page, device, await toClient(page, points));
+const tapAt = async (page, device, place) => {
+  const [at] = await onCanvas(page, place);
+  await strokeAlong(page, device, [at]);
+};
+
+/** The model as it is saved. */
+const model = (page) => exported(page, 'spineloft');
+
+/** Body, legs and tail: six strokes, and the pens between them. */
+async function drawCreature(page, device) {
+  const tap = (words) => press(page, words, { touch: device === 'finger', kind: 'button' });
+  await draw(page, device, ellipse(kBody.x, kBody.y, kBody.a, kBody.b, 32));
+  for (const x of [215, 340]) {
+    if (x !== 215) await tap('Seen');
+    await draw(page, device, leg(x));
+    await tap('Hidden');
+    await draw(page, device, hip(x));
+  }
+  await tap('Seen');
+  await draw(page, device, ellipse(480, 150, 56, 22));
+}
+
+async function paper(page, device) {
+  await run(page, 'new-sketch', { width: 600, height: 450 });
+  await idle(page);
+  // What the page shows first is for the device that was used last.
+  const [corner] = await toClient(page, [[5, 5]]);
+  await strokeAlong(page, device, [corner]);
+  await press(page, 'Lines', { touch: device === 'finger' });
+}
+
+const pairs = (bridges) => bridges.map(({ over, under }) => [over, under]);
+
+for (const [size, options] of [
+  ['1440×900', kDesk],
+  ['390×844', kPhone],
+]) {
+  for (const device of ['mouse', 'finger', 'pen']) {
+    test(`a body, two half hidden legs and a tail; a bridge swaps there only; undone to the start: ${device}, ${size}`, () =>
+      onPage(kit, options, async (page) => {
+        await paper(page, device);
+        const start = await model(page);
+        const { undo } = await state(page);
+        await drawCreature(page, device);
+        let now = await state(page);
+        assert.equal(now.parts.length, 4);
+        assert.equal(now.undo, undo + 6, 'each stroke is one step');
+        for (const part of now.parts) {
+          assert.equal(part.kind, 'element');
+          assert.equal(part.failure, null);
+          assert.ok(part.triangles > 500);
+        }
+        const [drawing] = now.drawings;
+        assert.equal(drawing.lines.length, 6);
+        assert.deepEqual(drawing.openEnds, []);
+        assert.deepEqual(
+          drawing.pieces.map(({ outlines }) => outlines[0].map(({ line }) => line)),
+          [[1], [2, 3], [4, 5], [6]],
+        );
+        // Both legs are behind the body, as their lines say.
+        const legs = drawing.orders.filter(({ under }) => under === 2 || under === 3);
+        assert.deepEqual(
+          legs.map(({ over, from }) => [over, from]),
+          [
+            [1, 'drawn'],
+            [1, 'drawn'],
+          ],
+        );
+        assert.equal(now.bridges.length, 3);
+        const which = now.bridges.findIndex(({ under }) => under === 2);
+        const before = pairs(now.bridges);
+        await tapAt(page, device, now.bridges[which].at);
+        now = await state(page);
+        assert.deepEqual(
+          pairs(now.bridges),
+          before.map(([over, under], i) => (i === which ? [under, over] : [over, under])),
+        );
+        assert.equal(now.undo, undo + 7);
+        for (let i = 0; i < 7; i += 1) await run(page, 'undo');
+        await idle(page);
+        assert.equal((await state(page)).parts.length, 0);
+        assert.ok((await model(page)).equals(start), 'byte-equal');
+      }));
+  }
+}
+
+test('a line that is not closed waits with a ring, which a tap closes; the barrel of a pen is the hidden pen', () =>
+  onPage(kit, kDesk, async (page) => {
+    await paper(page, 'pen');
+    await draw(page, 'pen', [
+      [200, 150],
+      [170, 200],
+      [180, 260],
+      [220, 300],
+      [260, 290],
+    ]);
+    let now = await state(page);
+    assert.equal(now.parts.length, 0);
+    assert.equal(now.lineEnds.length, 2);
+    await tapAt(page, 'pen', now.lineEnds[1]);
+    now = await state(page);
+    assert.equal(now.parts.length, 1);
+    assert.deepEqual(now.lineEnds, []);
+    const path = await toClient(page, ellipse(400, 200, 60, 60));
+    const session = await page.context().newCDPSession(page);
+    const send = (type, { x, y }, buttons) =>
+      session.send('Input.dispatchMouseEvent', {
+        type,
+        x,
+        y,
+        button: 'right',
+        buttons,
+        clickCount: 1,
+        pointerType: 'pen',
+        force: 0.5,
+      });
+    await send('mousePressed', path[0], 2);
+    for (const at of path.slice(1)) await send('mouseMoved', at, 2);
+    await send('mouseReleased', path.at(-1), 0);
+    await session.detach();
+    await idle(page);
+    const { drawings, parts } = await state(page);
+    assert.equal(parts.length, 2);
+    assert.deepEqual(drawings[0].lines[1].hidden, [[0, 1]]);
+  }));
+
+test('bridges by keyboard and by a screen reader; round and flat; a reload and the GLB have all of it', () =>
+  onPage(kit, { alone: true }, async (page) => {
+    await run(page, 'new-sketch', { width: 600, height: 450 });
+    await idle(page);
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('Shift+L');
+    await idle(page);
+    assert.equal((await state(page)).tool, 'lines');
+    const lines = [
+      [ellipse(kBody.x, kBody.y, kBody.a, kBody.b, 32).slice(0, -1), false, true],
+      [leg(215), false, false],
+      [hip(215), true, false],
+      [ellipse(480, 150, 56, 22).slice(0, -1), false, true],
+    ];
+    for (const [points, hidden, closed] of lines) await run(page, 'draw-line', { points, hidden, closed });
+    await idle(page);
+    const before = (await state(page)).bridges;
+    assert.equal(before.length, 2);
+    await page.locator('#canvas').focus();
+    await page.keyboard.press('.');
+    await idle(page);
+    assert.equal((await state(page)).chosen.bridge, 0);
+    await page.keyboard.press('Enter');
+    await idle(page);
+    assert.deepEqual(pairs((await state(page)).bridges)[0], pairs(before)[0].toReversed());
+    await page.getByRole('button', { name: 'Part 2 is in front of Part 1 here. Swap them here.' }).press('Enter');
+    await idle(page);
+    assert.deepEqual(pairs((await state(page)).bridges), pairs(before));
+    await run(page, 'select-part', { part: 3 });
+    await press(page, 'Flat', { kind: 'button' });
+    assert.equal((await state(page)).drawings[0].pieces[2].kind, 'flat');
+    await run(page, 'pin-depth', { line: 2, at: 0.5, z: 30 });
+    await idle(page);
+    const kept = (await state(page)).drawings;
+    const glb = await exported(page, 'glb');
+    assert.ok(glb.length > 5000);
+    await reload(page);
+    assert.deepEqual((await state(page)).drawings, kept);
+    assert.ok((await exported(page, 'glb')).equals(glb));
+    await run(page, 'undo');
+    await run(page, 'undo');
+    await run(page, 'redo');
+    await run(page, 'redo');
+    await idle(page);
+    assert.ok((await exported(page, 'glb')).equals(glb));
+  }));

@@ -1,0 +1,260 @@
+// The tool Lines: pieces from lines, seen and hidden, bridges and rings by every pointer, keys and words.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/support/line_creature.h"
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using namespace spineloft::testing;
+using test::Rig;
+
+namespace {
+
+constexpr std::array kDevices = {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen};
+
+struct Lines : Rig {
+  explicit Lines(platform::CanvasSize size = {1200, 700, 1}) : Rig(size) {
+    CHECK(works("new-sketch", R"({"width": 1000, "height": 800})"));
+    CHECK(works("lines"));
+  }
+  bool works(std::string_view id, std::string_view args = {}) {
+    const bool ok = run(id, args).flag("ok") == true;
+    settle();
+    return ok;
+  }
+  std::string fault(std::string_view id, std::string_view args) {
+    const app::Json answer = run(id, args);
+    settle();
+    return answer.text("error") ? *answer.text("error") : std::string();
+  }
+  double undoSteps() { return *state().number("undo"); }
+  /// Along picture points, as a hand draws. `button` 2: that of a pen.
+  void draw(std::vector<PicturePoint> line, bool close = false, platform::Device device = {}, int button = 0) {
+    if (close) line.push_back(line.front());
+    const auto first = at(line.front().x, line.front().y);
+    auto p = first;
+    pointer(platform::PointerKind::Down, p.x, p.y, device, 1, button);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      p = at(line[i].x, line[i].y);
+      pointer(platform::PointerKind::Move, p.x, p.y, device, 1, button);
+    }
+    settle(2);
+    hiddenInHand = app->state().find(R"("hiddenPen":true)") != std::string::npos;
+    pointer(platform::PointerKind::Up, p.x, p.y, device, 1, button);
+    settle();
+  }
+  void tap(double x, double y, platform::Device device = {}) {
+    pointer(platform::PointerKind::Down, x, y, device);
+    pointer(platform::PointerKind::Up, x, y, device);
+    settle();
+  }
+  /// Body, two half hidden legs and a tail; six gestures and the pen four times.
+  void drawCreature(platform::Device device = {}) {
+    draw(bodyLine(), true, device);
+    for (const double x : {360.0, 560.0}) {
+      CHECK(works("seen-pen"));
+      draw(legLine(x), false, device);
+      CHECK(works("hidden-pen", R"({"on": true})"));
+      draw(hipLine(x), false, device);
+    }
+    CHECK(works("seen-pen"));
+    draw(tailLine(), true, device);
+  }
+  app::Json drawing() {
+    const app::Json now = state();
+    REQUIRE(now.find("drawings")->array()->size() == 1);
+    return now.find("drawings")->array()->front();
+  }
+  /// (over, under) of every bridge.
+  std::vector<std::pair<double, double>> bridges() {
+    std::vector<std::pair<double, double>> out;
+    const app::Json now = state();
+    for (const app::Json& bridge : *now.find("bridges")->array()) {
+      out.emplace_back(*bridge.number("over"), *bridge.number("under"));
+    }
+    return out;
+  }
+  Vec2<platform::CanvasSpace> bridgeAt(std::size_t i) {
+    const app::Json now = state();
+    const auto& at = *(*now.find("bridges")->array())[i].find("at")->array();
+    return {*at[0].number(), *at[1].number()};
+  }
+  bool hiddenInHand = false;
+};
+
+/// The document within a history: the keys are in the order of the alphabet, and it is the last one.
+std::string presentOf(const std::string& history) {
+  const std::size_t at = history.find(R"("present":)");
+  REQUIRE(at != std::string::npos);
+  return history.substr(at);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "body, two half hidden legs and a tail by each pointer: four solids, every gesture one step, undone to the "
+    "start") {
+  for (const platform::Device device : kDevices) {
+    Lines page;
+    const double before = page.undoSteps();
+    const std::string start = page.app->history();
+    page.drawCreature(device);
+    CHECK(page.undoSteps() == before + 6);
+    const app::Json now = page.state();
+    REQUIRE(now.find("parts")->array()->size() == 4);
+    for (const app::Json& part : *now.find("parts")->array()) {
+      CHECK(*part.text("kind") == "element");
+      CHECK(part.find("failure")->isNull());
+      CHECK(*part.number("triangles") > 500);
+    }
+    CHECK(page.drawing().find("contradictions")->array()->size() <= 1);  // the tail is drawn over the body, all seen
+    const auto bridges = page.bridges();
+    REQUIRE(bridges.size() == 3);
+    for (const auto& [over, under] : bridges) {
+      if (over == 2 || under == 2 || over == 3 || under == 3) CHECK(over == 1);  // legs are behind the body
+    }
+    for (int i = 0; i < 6; ++i) CHECK(page.works("undo"));
+    CHECK(page.parts() == 0);
+    CHECK(page.state().find("drawings")->array()->empty());
+    const std::string back = page.app->history();
+    CHECK(presentOf(back) == presentOf(start));
+    for (int i = 0; i < 6; ++i) CHECK(page.works("redo"));
+    CHECK(page.parts() == 4);
+  }
+}
+
+TEST_CASE("a tap on a bridge swaps there only, and one more swaps back; keys do the same") {
+  Lines page;
+  page.drawCreature();
+  const auto before = page.bridges();
+  REQUIRE(before.size() == 3);
+  for (const platform::Device device : kDevices) {
+    const auto at = page.bridgeAt(1);
+    page.tap(at.x, at.y, device);
+    const auto swapped = page.bridges();
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK((swapped[i] == before[i]) == (i != 1));
+      CHECK(((swapped[i].first == before[i].second) == (i == 1)));
+    }
+    CHECK(page.host.said("is in front of"));
+    page.tap(at.x, at.y, device);
+    CHECK(page.bridges() == before);
+  }
+  CHECK(page.key("Period", "."));
+  CHECK(*page.state().find("chosen")->number("bridge") == 0);
+  CHECK(page.key("Comma", ","));
+  CHECK(*page.state().find("chosen")->number("bridge") == 2);
+  CHECK(page.key("Enter", "Enter"));
+  CHECK(page.bridges()[2] == std::pair(before[2].second, before[2].first));
+  CHECK(page.bridges()[0] == before[0]);
+  // Escape lets go of the bridge, then of the tool.
+  CHECK(page.key("Escape", "Escape"));
+  CHECK(*page.state().find("chosen")->number("bridge") == -1);
+  CHECK(*page.state().text("tool") == "lines");
+}
+
+TEST_CASE("an open line waits with rings; a tap on one closes it, and so does a line between them") {
+  const std::vector<PicturePoint> open{{300, 300}, {250, 340}, {230, 400}, {250, 460}, {300, 500}};
+  for (const platform::Device device : kDevices) {
+    Lines page;
+    page.draw(open, false, device);
+    CHECK(page.parts() == 0);
+    CHECK(page.host.said("A line is not closed"));
+    app::Json now = page.state();
+    REQUIRE(now.find("lineEnds")->array()->size() == 2);
+    const auto& ring = *now.find("lineEnds")->array()->front().array();
+    page.tap(*ring[0].number(), *ring[1].number(), device);
+    CHECK(page.parts() == 1);
+    CHECK(page.state().find("lineEnds")->array()->empty());
+    CHECK(page.works("undo"));
+    CHECK(page.parts() == 0);
+    page.draw({{302, 499}, {400, 480}, {450, 400}, {400, 320}, {299, 303}}, false, device);
+    CHECK(page.parts() == 1);
+    CHECK(page.state().find("lineEnds")->array()->empty());
+  }
+}
+
+TEST_CASE("the hidden pen by its button, its key, Shift and the button of a pen") {
+  Lines page;
+  const auto hidden = [&] { return !page.drawing().find("lines")->array()->back().find("hidden")->array()->empty(); };
+  page.draw(bodyLine(), true);
+  CHECK_FALSE(hidden());
+  CHECK(page.key("KeyD", "d"));
+  page.draw(tailLine(), true);
+  CHECK(hidden());
+  CHECK(page.key("KeyD", "d"));
+  CHECK(*page.state().text("tool") == "lines");
+  page.draw({{100, 100}, {200, 100}, {200, 200}, {100, 200}}, true);
+  CHECK_FALSE(hidden());
+  page.draw({{100, 600}, {200, 600}, {200, 700}, {100, 700}}, true, platform::Device::Pen, 2);
+  CHECK(hidden());
+  CHECK(page.drawing().find("lines")->array()->size() == 4);
+}
+
+TEST_CASE("a piece is round or flat, from the panel's words and by its command") {
+  Lines page;
+  page.draw(bodyLine(), true);
+  const auto kind = [&] { return *page.drawing().find("pieces")->array()->front().text("kind"); };
+  CHECK(kind() == "round");
+  CHECK(page.works("shape-piece", R"({"kind": "flat"})"));
+  CHECK(kind() == "flat");
+  CHECK(page.works("shape-piece", R"({"kind": "round", "part": 1})"));
+  CHECK(kind() == "round");
+  CHECK(page.fault("shape-piece", R"({"kind": "wet"})") == "ArgumentMissing");
+  CHECK(page.works("set-parameter", R"({"key": "front", "value": 2})"));
+  CHECK(page.works("more-tools", R"({"on": true})"));
+  CHECK(page.fault("shape-piece", R"({"kind": "flat", "part": 9})") == "NoSuchPart");
+}
+
+TEST_CASE("programs draw, hide, order, pin and delete, and are told why not") {
+  Lines page;
+  CHECK(page.works("draw-line", R"({"points": [[300, 300], [500, 300], [500, 500], [300, 500]], "closed": true})"));
+  CHECK(page.works("draw-line", R"({"points": [[450, 350], [650, 350], [650, 450], [450, 450]], "closed": true})"));
+  CHECK(page.parts() == 2);
+  CHECK(page.works("hide-line", R"({"line": 2, "hidden": [[0, 0.1], [0.85, 1]]})"));
+  CHECK(page.drawing().find("lines")->array()->back().find("hidden")->array()->size() == 2);
+  CHECK(page.works("order-pieces", R"({"over": 2, "under": 1, "at": [475, 400]})"));
+  CHECK(*page.drawing().find("orders")->array()->front().text("from") == "user");
+  CHECK(*page.drawing().find("orders")->array()->front().number("over") == 2);
+  CHECK(page.works("pin-depth", R"({"line": 2, "at": 0.25, "z": 40})"));
+  CHECK(page.drawing().find("pins")->array()->size() == 1);
+  CHECK(page.works("pin-depth", R"({"line": 2, "at": 0.25})"));
+  CHECK(page.drawing().find("pins")->array()->empty());
+  CHECK(page.fault("draw-line", R"({"points": [[1, 1]]})") == "StrokeTooShort");
+  CHECK(page.fault("draw-line", R"({"points": 3})") == "ArgumentMissing");
+  CHECK(page.fault("draw-line", R"({"points": [[1, 1], [90, 90]], "hidden": "some"})") == "ArgumentMissing");
+  CHECK(page.fault("draw-line", R"({"points": [[1, 1], [90, 90]], "hidden": [[0.5, 0.2]]})") == "ValueOutOfRange");
+  CHECK(page.fault("draw-line", R"({"points": [[-9, -9], [-90, -90]]})") == "StrokeOutsidePicture");
+  CHECK(page.fault("hide-line", R"({"line": 9, "hidden": true})") == "NoSuchLine");
+  CHECK(page.fault("hide-line", R"({"line": 1})") == "ArgumentMissing");
+  CHECK(page.fault("delete-line", R"({"line": 9})") == "NoSuchLine");
+  CHECK(page.fault("close-line", R"({"line": 9})") == "NoSuchLine");
+  CHECK(page.fault("order-pieces", R"({"over": 1, "under": 1, "at": [1, 1]})") == "ValueOutOfRange");
+  CHECK(page.fault("order-pieces", R"({"over": 1, "under": 2})") == "ArgumentMissing");
+  CHECK(page.fault("pin-depth", R"({"line": 1, "at": 2, "z": 1})") == "ValueOutOfRange");
+  CHECK(page.works("delete-line", R"({"line": 1})"));
+  CHECK(page.parts() == 1);
+}
+
+TEST_CASE("bridges stand a fingertip apart, also where pieces overlap near each other, and say who is in front") {
+  Lines page;
+  CHECK(page.works("draw-line", R"({"points": [[300, 300], [700, 300], [700, 500], [300, 500]], "closed": true})"));
+  for (const char* box :
+       {"[[320, 480], [340, 480], [340, 600], [320, 600]]", "[[350, 480], [370, 480], [370, 600], [350, 600]]",
+        "[[380, 480], [400, 480], [400, 600], [380, 600]]"}) {
+    CHECK(page.works("draw-line", R"({"points": )" + std::string(box) + R"(, "closed": true})"));
+  }
+  REQUIRE(page.bridges().size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = i + 1; k < 3; ++k) CHECK(distance(page.bridgeAt(i), page.bridgeAt(k)) >= 43);
+  }
+  const app::Json now = page.state();
+  int told = 0;
+  for (const app::Json& control : *now.find("controls")->array()) {
+    if (control.text("words")->find("Swap them here.") != std::string::npos) ++told;
+  }
+  CHECK(told == 3);
+}

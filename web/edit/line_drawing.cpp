@@ -1,0 +1,213 @@
+#include "web/edit/line_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/geometry/line_distance.h"
+#include "engine/geometry/polyline.h"
+#include "web/words/words.h"
+
+namespace spineloft::app {
+namespace {
+
+constexpr double kApart = 44;      // CSS pixels between bridges: a fingertip
+constexpr int kRounds = 24;        // in which they move apart
+constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
+constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
+constexpr double kMostCut = 0.34;  // of a line: more is not cut off at one end
+
+/// Calls `each(drawing, derived drawing)` for those on a picture.
+template <class Each>
+void forDrawings(const document::Document& document, const pipeline::Derived& derived, PictureId picture,
+                 const Each& each) {
+  const std::size_t count = std::min(document.drawings.size(), derived.drawings.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const document::Drawing& drawing = document.drawings[i];
+    if (drawing.picture == picture && derived.drawings[i].shape) each(drawing, derived.drawings[i]);
+  }
+}
+
+bool isShown(const document::Document& document, PartId id) {
+  const document::Part* part = document::findPart(document, id);
+  return part != nullptr && pipeline::isVisible(document, *part);
+}
+
+/// Where the way from a to b crosses a line, as a share of the way; the first.
+std::optional<double> firstCrossing(PicturePoint a, PicturePoint b, const std::vector<PicturePoint>& line,
+                                    bool closed) {
+  std::optional<double> first;
+  const std::size_t sides = closed ? line.size() : line.size() - 1;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const PicturePoint c = line[i], d = line[(i + 1) % line.size()];
+    const double whole = cross(b - a, d - c);
+    if (whole == 0) continue;
+    const double t = cross(c - a, d - c) / whole, u = cross(c - a, b - a) / whole;
+    if (t < 0 || t > 1 || u < 0 || u > 1) continue;
+    if (!first || t < *first) first = t;
+  }
+  return first;
+}
+
+PicturePoint nearestOnLine(const std::vector<PicturePoint>& line, bool closed, PicturePoint p) {
+  PicturePoint best = line.front();
+  const std::size_t sides = closed ? line.size() : line.size() - 1;
+  for (std::size_t i = 0; i < sides; ++i) {
+    const PicturePoint a = line[i], way = line[(i + 1) % line.size()] - a;
+    const double squared = dot(way, way);
+    const double t = squared > 0 ? std::clamp(dot(p - a, way) / squared, 0.0, 1.0) : 0.0;
+    if (distance(a + way * t, p) < distance(best, p)) best = a + way * t;
+  }
+  return best;
+}
+
+bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
+  return std::ranges::any_of(drawing.lines, [&](const document::DrawnLine& line) {
+    return geometry::distanceToLine(p, std::span<const PicturePoint>(line.points), line.closed) <= reach;
+  });
+}
+
+/// Brings the last point of a line to what is there.
+void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoint>& line) {
+  std::optional<PicturePoint> end;
+  for (const document::DrawnLine& other : drawing.lines) {
+    if (other.closed) continue;
+    for (const PicturePoint p : {other.points.front(), other.points.back()}) {
+      const double away = distance(p, line.back());
+      if (away <= reach && (!end || away < distance(*end, line.back()))) end = p;
+    }
+  }
+  if (end) {
+    line.push_back(*end);
+    return;
+  }
+  // What runs past a line shortly before the end is cut there.
+  double length = 0, past = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  const double most = std::min(reach, kMostCut * length);
+  for (std::size_t i = line.size() - 1; i > 0 && past <= most; --i) {
+    std::optional<double> first;
+    for (const document::DrawnLine& other : drawing.lines) {
+      const auto at = firstCrossing(line[i - 1], line[i], other.points, other.closed);
+      if (at && (!first || *at < *first)) first = at;
+    }
+    const double side = distance(line[i - 1], line[i]);
+    if (first && past + side * (1 - *first) <= most) {
+      line[i] = lerp(line[i - 1], line[i], *first);
+      line.resize(i + 1);
+      return;
+    }
+    past += side;
+  }
+  std::optional<PicturePoint> on;
+  for (const document::DrawnLine& other : drawing.lines) {
+    const PicturePoint p = nearestOnLine(other.points, other.closed, line.back());
+    const double away = distance(p, line.back());
+    if (away <= reach && (!on || away < distance(*on, line.back()))) on = p;
+  }
+  if (on) line.push_back(*on);
+}
+
+}  // namespace
+
+std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline::Derived& derived, PictureId picture) {
+  std::vector<Bridge> bridges;
+  forDrawings(document, derived, picture, [&](const document::Drawing&, const pipeline::DerivedDrawing& one) {
+    const descriptive::Model& model = one.shape->model;
+    const auto partOf = [&](std::uint32_t solid) { return one.pieces[model.solids[solid].piece]; };
+    for (std::size_t k = 0; k < model.orders.orders.size(); ++k) {
+      const descriptive::Order& order = model.orders.orders[k];
+      const Bridge bridge{partOf(order.over), partOf(order.under), model.orders.overlaps.all()[k].at,
+                          order.from == descriptive::OrderFrom::Guessed};
+      if (isShown(document, bridge.over) && isShown(document, bridge.under)) bridges.push_back(bridge);
+    }
+  });
+  return bridges;
+}
+
+std::string bridgeSentence(const document::Document& document, const Bridge& bridge) {
+  const document::Part* over = document::findPart(document, bridge.over);
+  const document::Part* under = document::findPart(document, bridge.under);
+  if (over == nullptr || under == nullptr) return {};
+  return std::string(words::tr("{front} is in front of {back} here.",
+                               {{"front", words::nameOf(over->name)}, {"back", words::nameOf(under->name)}}));
+}
+
+std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipeline::DerivedDrawing& drawing) {
+  std::vector<LooseEnd> ends;
+  const document::Drawing* own = document::findDrawing(document, drawing.id);
+  for (const pipeline::OpenEnd& end : drawing.shape->openEnds) {
+    if (own != nullptr && end.line < own->lines.size()) ends.push_back({own->id, own->lines[end.line].id, end.at});
+  }
+  return ends;
+}
+
+std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipeline::Derived& derived,
+                                  PictureId picture) {
+  std::vector<LooseEnd> ends;
+  forDrawings(document, derived, picture, [&](const document::Drawing&, const pipeline::DerivedDrawing& one) {
+    const std::vector<LooseEnd> more = looseEndsOf(document, one);
+    ends.insert(ends.end(), more.begin(), more.end());
+  });
+  return ends;
+}
+
+LineMarks lineMarks(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
+  LineMarks marks;
+  if (ui.tool != ToolKind::Lines) return marks;
+  const auto onCanvas = [&](PicturePoint p) { return ui.pictureView.toClient(p, ui.layout.picture); };
+  for (const LooseEnd& end : looseEndsOn(document, derived, ui.picture)) marks.looseEnds.push_back(onCanvas(end.at));
+  std::vector<ClientPoint>& at = marks.bridges;
+  for (const Bridge& bridge : bridgesOn(document, derived, ui.picture)) at.push_back(onCanvas(bridge.at));
+  bool moved = true;
+  for (int round = 0; round < kRounds && moved; ++round) {
+    moved = false;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      for (std::size_t k = i + 1; k < at.size(); ++k) {
+        const ClientPoint way = at[k] - at[i];
+        const double length = std::hypot(way.x, way.y);
+        if (length >= kApart - 0.5) continue;
+        // Two at one place go to the sides.
+        const ClientPoint by = length > 0.01 ? way * ((kApart - length) / (2 * length)) : ClientPoint{kApart / 2, 0};
+        at[i] = at[i] - by;
+        at[k] = at[k] + by;
+        moved = true;
+      }
+    }
+  }
+  return marks;
+}
+
+int nearestOf(std::span<const ClientPoint> points, ClientPoint at, double reach) {
+  int nearest = -1;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double away = distance(points[i], at);
+    if (away > reach) continue;
+    reach = away;
+    nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+MeantLine meantLine(const document::Drawing* drawing, const std::vector<PicturePoint>& line, double reach) {
+  MeantLine meant{line, false};
+  std::vector<PicturePoint>& points = meant.points;
+  if (points.size() < 2) return meant;
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+  const double gap = distance(points.front(), points.back());
+  // What begins and ends on a line at two places is closed by that line.
+  const bool onLines = gap > reach / 2 && drawing != nullptr && isOnLine(*drawing, points.front(), reach) &&
+                       isOnLine(*drawing, points.back(), reach);
+  meant.closed = points.size() > 3 && gap <= reach && length > kLongEnough * std::max(gap, reach) && !onLines;
+  if (!meant.closed && drawing != nullptr) {
+    meet(*drawing, reach, points);
+    std::ranges::reverse(points);
+    meet(*drawing, reach, points);
+    std::ranges::reverse(points);
+  }
+  points = geometry::simplifiedLine(std::span<const PicturePoint>(points), kThinning);
+  return meant;
+}
+
+}  // namespace spineloft::app

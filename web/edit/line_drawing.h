@@ -1,0 +1,57 @@
+// Line drawings on the picture in view: where pieces pass over each other, where lines are not closed, and how a line
+// under the pen meets those that are there.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "web/ui/ui_state.h"
+
+namespace spineloft::app {
+
+/// A place where two pieces overlap; a tap swaps them there.
+struct Bridge {
+  PartId over, under;
+  PicturePoint at;
+  bool guessed = false;  ///< no line says who is in front
+};
+/// Of all drawings on a picture, in their order; of pieces that are shown.
+std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline::Derived& derived, PictureId picture);
+/// "Leg is in front of Body", in the visitor's language.
+std::string bridgeSentence(const document::Document& document, const Bridge& bridge);
+
+/// Where a line of no piece ends at nothing.
+struct LooseEnd {
+  DrawingId drawing;
+  LineId line;
+  PicturePoint at;
+};
+/// Of one drawing, of which `drawing` is what is derived.
+std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipeline::DerivedDrawing& drawing);
+/// Of all drawings on a picture.
+std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipeline::Derived& derived,
+                                  PictureId picture);
+
+/// Both on the canvas as the tool Lines shows them: bridges that would be nearer than a fingertip move apart. Empty
+/// while another tool is in hand.
+struct LineMarks {
+  std::vector<ClientPoint> bridges, looseEnds;
+};
+LineMarks lineMarks(const document::Document& document, const pipeline::Derived& derived, const UiState& ui);
+/// The one within `reach` CSS pixels; −1: none.
+int nearestOf(std::span<const ClientPoint> points, ClientPoint at, double reach);
+
+/// A line under the pen as it is meant. `reach`: picture pixels.
+struct MeantLine {
+  std::vector<PicturePoint> points;  ///< without what a hand adds by trembling
+  bool closed = false;
+};
+/// Ends within reach of each other close a line, unless both lie on lines that are there; any other end within reach of
+/// an end of the drawing's lines goes there; else, within reach of a line, it goes onto it, and what runs past it is
+/// cut. `drawing` may be null.
+MeantLine meantLine(const document::Drawing* drawing, const std::vector<PicturePoint>& line, double reach);
+
+}  // namespace spineloft::app
