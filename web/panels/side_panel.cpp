@@ -74,8 +74,15 @@ const char* titleOf(const document::Part& region) {
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
 
+/// The tool in hand draws no lines along things: the next part has no slices and ends of its own to set.
+bool drawsOther(app::ToolKind tool) {
+  return app::drawsRegions(tool) || tool == app::ToolKind::Layers || tool == app::ToolKind::Primitive;
+}
+
 /// Few panels at first: before the first part there is nothing to set, and curves and numbers come with all tools.
 bool isOffered(const PanelEnv& env, app::PanelTab tab) {
+  const bool ofLines = tab == app::PanelTab::Section || tab == app::PanelTab::Along || tab == app::PanelTab::Ends;
+  if (ofLines && env.selected() == nullptr && drawsOther(env.ui().tool)) return false;
   if (env.ui().allTools || tab == app::PanelTab::Parts) return true;
   return !env.document().parts.empty() && tab != app::PanelTab::Along && tab != app::PanelTab::Place;
 }
@@ -104,14 +111,14 @@ void column(const PanelEnv& env) {
   ImGui::SetCursorPosY(top);
   commandButton(env, "new-part", side);
   partList(env, true);
-  if (!isOffered(env, app::PanelTab::Section)) return;
+  if (!isOffered(env, app::PanelTab::Look)) return;
   if (const document::Part* region = selectedRegion(env)) {
     if (section(env, app::PanelTab::Section, "slice", forParts(env, titleOf(*region))))
       regionPanel(env, *region, width);
     if (app::capsOf(*region) && section(env, app::PanelTab::Ends, "ends", forParts(env, "Ends"))) {
       capChooser(env, width);
     }
-  } else {
+  } else if (isOffered(env, app::PanelTab::Section)) {
     const Text title = env.selected() ? forParts(env, "Slice") : "Slice of the next part";
     if (section(env, app::PanelTab::Section, "slice", title)) {
       sectionChooser(env, width);
