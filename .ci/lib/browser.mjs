@@ -20,6 +20,7 @@ export const browserFlags = [
   '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist',
   '--disable-gpu-compositing',
+  '--font-render-hinting=none', // letters stand as in a browser with windows
 ];
 
 /** Serves dist/ on a free port; options as serveFolder's (`isolated: false` for the single-thread build). */

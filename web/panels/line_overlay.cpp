@@ -84,21 +84,26 @@ void drawnLine(ImDrawList& list, const app::UiState& ui, const document::DrawnLi
   stretch(list, ui, part, false);
 }
 
-/// One way passes over another, which is broken there. Filled where lines say so, hollow where it is a guess.
+/// One sheet in front of another one. Filled where lines say so, hollow where it is a guess.
 void bridge(ImDrawList& list, ImVec2 at, bool guessed, bool hot, bool chosen) {
   const ImU32 colour = chosen ? kDark : toolColour(app::ToolKind::Lines);
   const float r = hot || chosen ? kBridge + 2 : kBridge;
   list.AddCircleFilled(at, r + 2.5f, kHalo, 32);
-  const ImU32 ink = guessed ? colour : kOnAccent;
-  if (guessed) {
-    list.AddCircle(at, r, colour, 32, 2.f);
-  } else {
-    list.AddCircleFilled(at, r, colour, 32);
-  }
-  const float arm = r * 0.62f, gap = r * 0.28f;
-  list.AddLine({at.x, at.y - arm}, {at.x, at.y - gap}, ink, 2.2f);
-  list.AddLine({at.x, at.y + gap}, {at.x, at.y + arm}, ink, 2.2f);
-  list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, ink, 2.8f);
+  const ImU32 ground = guessed ? kHalo : colour, ink = guessed ? colour : kOnAccent;
+  list.AddCircleFilled(at, r, ground, 32);
+  if (guessed) list.AddCircle(at, r, colour, 32, 2.f);
+  const auto sheet = [&](float shift, float half, ImU32 filled, bool outlined) {
+    const ImVec2 low{at.x + shift - half, at.y - shift - half}, high{at.x + shift + half, at.y - shift + half};
+    if (outlined) {
+      list.AddRect(low, high, filled, 1.5f, 0, 1.6f);
+    } else {
+      list.AddRectFilled(low, high, filled, 1.5f);
+    }
+  };
+  const float shift = r * 0.2f, half = r * 0.34f;
+  sheet(shift, half, ink, true);
+  sheet(-shift, half + 1.5f, ground, false);
+  sheet(-shift, half, ink, false);
 }
 
 void ring(const PanelEnv& env, ImDrawList& list, ImVec2 at, bool hot, bool withWords) {
