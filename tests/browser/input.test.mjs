@@ -120,8 +120,7 @@ test('the smallest phone: one column of tools beside the picture, and a tap on t
     await page.touchscreen.tap(column + 26, foot - 10 - 26);
     await idle(page);
     assert.ok(difference(closed, await pixels(page)) > 0.05, 'the menu opens');
-    await page.touchscreen.tap(column - 60, canvas.y + 10 + 6 * 46 + 22);
-    await idle(page);
+    await press(page, 'Layers', { touch: true });
     assert.equal((await state(page)).tool, 'layers');
     await page.setViewportSize(kPhone.viewport);
   }));
