@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/image/srgb.h"
+
 namespace spineloft::image {
 namespace {
 
@@ -30,8 +32,7 @@ struct Tables {
     constexpr double kXyz[3][3] = {
         {0.433953, 0.376219, 0.189828}, {0.212671, 0.715160, 0.072169}, {0.017758, 0.109477, 0.872765}};
     for (std::size_t i = 0; i < 256; ++i) {
-      const double v = static_cast<double>(i) / 255;
-      const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+      const double linear = linearOfSrgb(static_cast<double>(i) / 255);
       for (std::size_t from = 0; from < 3; ++from) {
         for (std::size_t to = 0; to < 3; ++to) {
           light[from][i][to] = static_cast<std::int32_t>(std::lround(kOne * linear * kXyz[to][from]));

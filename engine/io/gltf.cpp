@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/image/srgb.h"
 #include "engine/io/document_json.h"
 #include "engine/io/glb_container.h"
 
@@ -18,10 +19,7 @@ namespace spineloft::io {
 namespace {
 
 /// glTF's base colour is linear, ours sRGB (IEC 61966-2-1).
-double linear(float srgb) {
-  const double c = static_cast<double>(srgb);
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
+double linear(float srgb) { return image::linearOfSrgb(static_cast<double>(srgb)); }
 
 /// "image/png", "image/jpeg", or empty.
 std::string mimeOf(std::span<const std::uint8_t> bytes) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "engine/image/srgb.h"
 #include "web/gl/drawn_frame.h"
 #include "web/gl/floor_shadow.h"
 #include "web/gl/handles.h"
@@ -41,7 +42,7 @@ Programs makePrograms() {
 }
 
 std::array<float, 3> linear(std::array<float, 3> srgb) {
-  for (float& v : srgb) v = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  for (float& v : srgb) v = static_cast<float>(image::linearOfSrgb(v));
   return srgb;
 }
 

@@ -76,7 +76,8 @@ const char* titleOf(const document::Part& region) {
 
 /// The tool in hand draws no lines along things: the next part has no slices and ends of its own to set.
 bool drawsOther(app::ToolKind tool) {
-  return app::drawsRegions(tool) || tool == app::ToolKind::Layers || tool == app::ToolKind::Primitive;
+  return app::drawsRegions(tool) || tool == app::ToolKind::Layers || tool == app::ToolKind::Primitive ||
+         tool == app::ToolKind::Lines;
 }
 
 /// Few panels at first: before the first part there is nothing to set, and curves and numbers come with all tools.
