@@ -100,7 +100,7 @@ const holdWrites = () => {
   };
 };
 
-test('what is not on the disk yet is said, storage that never answers too, and neither holds anything up', () =>
+test('what is not on the disk yet is said, storage that never answers too; a question about it goes when it answers', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);
     const sign = page.locator('#keeping');
@@ -122,10 +122,19 @@ test('what is not on the disk yet is said, storage that never answers too, and n
     await done(page, 'set-section', { section: 'hexagon' });
     assert.equal(await asksBeforeLeaving(page), true);
     const now = await history(page);
+    await run(page, 'new-model');
+    const question = page.getByRole('dialog', { name: 'This model is not kept' });
+    await question.waitFor();
+    assert.equal(await history(page), now, 'nothing goes without an answer');
     await page.evaluate(() => window.letGo_());
-    assert.match(await toastText(page, 'status'), /kept on this device again/);
+    await question.waitFor({ state: 'hidden' });
+    await page.waitForFunction(() => window.spineloft.state().picture === null);
     await idle(page);
     assert.equal(await asksBeforeLeaving(page), false);
+    const [{ id }] = await models(page);
+    await done(page, 'open-model', { id });
+    await idle(page);
+    assert.equal(await history(page), now);
     await reload(page);
     assert.equal(await history(page), now);
   }));

@@ -323,6 +323,10 @@ PartId anyPiece(Rng& rng, const Document& d) {
   return pieces.empty() ? anyPart(rng, d) : pieces[rng.below(static_cast<std::uint32_t>(pieces.size()))]->id;
 }
 PicturePoint anyPlace(Rng& rng) { return {rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; }
+std::vector<PicturePoint> anyOutline(Rng& rng, const Document& d) {
+  Region region = anyRegion(rng, d);
+  return region.contours.empty() ? std::vector<PicturePoint>{} : std::move(region.contours.front());
+}
 
 template <>
 struct Make<DrawLine> {
@@ -330,7 +334,7 @@ struct Make<DrawLine> {
     const bool closed = rng.below(3) != 0;
     const bool more = !d.drawings.empty() && rng.below(2) == 0;
     return {more ? d.drawings.front()->picture : anyPicture(rng, d),
-            closed ? anyRegion(rng, d).contours.front() : anyStroke(rng),
+            closed ? anyOutline(rng, d) : anyStroke(rng),
             anyStretches(rng),
             closed,
             {}};

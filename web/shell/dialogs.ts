@@ -49,11 +49,12 @@ export function askText(title: string, text: string, value = '', command?: strin
   });
 }
 
-/** Asks a question with buttons; the value of the one that was pressed, null when it was closed. */
+/** Asks a question with buttons; the value of the one that was pressed, null when it was closed or `needless` fired. */
 export function askChoice(
   title: string,
   text: string,
   choices: { value: string; label: string; command?: string }[],
+  needless?: AbortSignal,
 ): Promise<string | null> {
   const buttons = choices.map(({ value, label, command }, i) => {
     const look = i === 0 ? 'button button-primary' : 'button';
@@ -64,6 +65,7 @@ export function askChoice(
     [make('p', {}, text), make('div', { class: 'dialog-buttons' }, ...buttons.reverse())],
     'dialog',
   );
+  needless?.addEventListener('abort', () => dialog.close());
   return new Promise((resolve) => {
     let answer: string | null = null;
     for (const button of buttons) {

@@ -109,7 +109,7 @@ export class Page {
       pickModelFile: () => pickModel(),
       showShare: () => void this.showShare(engine).catch((thrown: unknown) => this.complain(thrown)),
       askName: (title, text, value) => askText(title, text, value),
-      mayLose: () => this.mayLose(),
+      mayLose: (needless) => this.mayLose(needless),
     });
     await this.keeper.start();
     this.refresh();
@@ -479,7 +479,7 @@ export class Page {
     this.refresh();
   }
 
-  private async mayLose(): Promise<boolean> {
+  private async mayLose(needless: AbortSignal): Promise<boolean> {
     const answer = await askChoice(
       'This model is not kept',
       'This device does not keep the model that is open. Save a file of it first, or it will be gone.',
@@ -487,6 +487,7 @@ export class Page {
         { value: 'save', label: 'Save a file', command: 'save-project' },
         { value: 'leave', label: 'Let it go' },
       ],
+      needless,
     );
     if (answer === 'save') this.run('save-project');
     return answer === 'leave';

@@ -44,8 +44,8 @@ export interface KeeperPage {
   pickModelFile(): void;
   showShare(): void;
   askName(title: string, text: string, value: string): Promise<string | null>;
-  /** True when the model may go although it is kept nowhere. */
-  mayLose(): Promise<boolean>;
+  /** True when the model may go although it is kept nowhere. The question goes when `needless` fires. */
+  mayLose(needless: AbortSignal): Promise<boolean>;
 }
 
 export type KeepEvent = { type: 'keep'; what: string; id: string };
@@ -66,6 +66,7 @@ export class Keeper {
   private thumbnailTimer = 0;
   private readOnly = false;
   private askedToPersist = false;
+  private keptAgain = new AbortController();
 
   constructor(
     private readonly engine: KeptEngine,
@@ -311,7 +312,11 @@ export class Keeper {
   private async finishCurrent(): Promise<boolean> {
     await this.writer.settled();
     const isEmpty = this.engine.about().pictures === 0;
-    if (!this.writer.isSafe && !isEmpty) return this.page.mayLose();
+    if (!this.writer.isSafe && !isEmpty) {
+      const { signal } = (this.keptAgain = new AbortController());
+      const mayGo = await this.page.mayLose(signal);
+      return signal.aborted ? this.finishCurrent() : mayGo;
+    }
     if (!isEmpty) await this.keepThumbnail();
     await this.writer.settled();
     return true;
@@ -481,6 +486,7 @@ export class Keeper {
 
   private onTrouble(failure: StoreFailure | null, since: number): void {
     if (!failure) {
+      this.keptAgain.abort();
       hideBanner('trouble');
       toast('Your work is kept on this device again.');
       return;
