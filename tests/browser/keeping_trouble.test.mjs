@@ -127,6 +127,7 @@ test('what is not on the disk yet is said, storage that never answers too; a que
     await question.waitFor();
     assert.equal(await history(page), now, 'nothing goes without an answer');
     await page.evaluate(() => window.letGo_());
+    assert.match(await toastText(page, 'status'), /kept on this device again/);
     await question.waitFor({ state: 'hidden' });
     await page.waitForFunction(() => window.spineloft.state().picture === null);
     await idle(page);

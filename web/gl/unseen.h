@@ -1,4 +1,4 @@
-// What Dear ImGui draws outside of what it shows of it.
+// Triangles of Dear ImGui that no pixel shows.
 #pragma once
 
 struct ImDrawData;
