@@ -202,8 +202,7 @@ std::size_t listCost(std::span<const double> numbers, double step) {
   for (const Mode& mode : kModes) {
     std::size_t sum = 0;
     for (std::size_t i = 2; i < whole.size(); ++i) {
-      const std::int64_t off = whole[i] - foretold(mode, std::span(whole).first(i), whole.size());
-      sum += off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
+      sum += offCost(whole[i] - foretold(mode, std::span(whole).first(i), whole.size()));
     }
     least = std::min(least, sum);
   }
