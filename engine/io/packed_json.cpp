@@ -207,7 +207,10 @@ const Example& exampleOnce() {
   return made;
 }
 const Example& exampleOf(int version) {
-  return version == 1 ? exampleOnce<1>() : version == 2 ? exampleOnce<2>() : version == 3 ? exampleOnce<3>() : exampleOnce<4>();
+  return version == 1   ? exampleOnce<1>()
+         : version == 2 ? exampleOnce<2>()
+         : version == 3 ? exampleOnce<3>()
+                        : exampleOnce<4>();
 }
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
@@ -546,7 +549,10 @@ const Chances& learnedOnce() {
   return made;
 }
 const Chances& learned(int version) {
-  return version == 1 ? learnedOnce<1>() : version == 2 ? learnedOnce<2>() : version == 3 ? learnedOnce<3>() : learnedOnce<4>();
+  return version == 1   ? learnedOnce<1>()
+         : version == 2 ? learnedOnce<2>()
+         : version == 3 ? learnedOnce<3>()
+                        : learnedOnce<4>();
 }
 
 }  // namespace

@@ -222,19 +222,6 @@ std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture)
   return listCost(numbers, shareStep(picture));
 }
 
-std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture) {
-  const Grid grid(picture);
-  document::LoftRecipe told = recipe;
-  TracedRibs traced;
-  tellEnds(told, grid, traced);
-  std::vector<double> along, out;
-  for (const ribs::EndEdit& end : told.edits.ends) {
-    along.push_back(end.along);
-    out.push_back(end.out);
-  }
-  return listCost(along, grid.alone()) + listCost(out, grid.alone());
-}
-
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {
   return Grid(picture)(line);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 namespace spineloft::publish {
 namespace {
@@ -13,9 +12,11 @@ constexpr std::size_t kBeam = 12;
 /// Places are looked at as far as this from where the fit is, in tolerances, and so many steps at the most.
 constexpr double kReach = 3;
 constexpr int kMostSteps = 5;
-/// What a point of the spine counts that is off by the tolerance, each square of more, and a step of the spine that is
-/// off by `rough`: quarters of a bit.
-constexpr double kOff = 1, kTooFar = 4, kRough = 40;
+/// What a point of the spine counts that is off by the tolerance, and each square of more: quarters of a bit.
+constexpr double kOff = 1, kTooFar = 4;
+
+/// More than any line takes.
+constexpr double kNoLine = 1e18;
 
 /// Points of the spine.
 struct Rows {
@@ -58,17 +59,18 @@ class Search {
   double rowCost(PicturePoint off, PicturePoint before) const {
     const double far = dot(off, off) / (grid_.tolerance * grid_.tolerance);
     const PicturePoint step = off - before;
-    return kOff * far + kTooFar * std::max(0.0, far - 1) + kRough * dot(step, step) / (grid_.rough * grid_.rough);
+    return kOff * far + kTooFar * std::max(0.0, far - 1) + dot(step, step) / (grid_.rough * grid_.rough);
   }
   void lookAround(std::size_t i, const Rows& rows, std::size_t line);
-  /// Of the rows where the line goes on so; none where it leaves the tolerance.
-  std::optional<double> costOf(const Begun& line, std::size_t i, PicturePoint by, const Rows& rows) const;
+  /// Of the rows where the line goes on so; `most` or more where it leaves the tolerance or takes as much.
+  double costOf(const Begun& line, std::size_t i, PicturePoint by, const Rows& rows, double most) const;
+  void keep(const Next& next);
 
   const LineFit& fit_;
   const LineGrid& grid_;
   const io::Mode& mode_;
   std::vector<Begun> lines_;
-  std::vector<Next> next_;
+  std::vector<Next> next_;  ///< the cheapest ones, as a heap
   double least_ = 0;
 };
 
@@ -83,16 +85,25 @@ Rows Search::rowsOf(std::size_t i) const {
   return {rowAt(at - 3), rowAt(at - 1), rowAt(at + 0.5)};
 }
 
-std::optional<double> Search::costOf(const Begun& line, std::size_t i, PicturePoint by, const Rows& rows) const {
+double Search::costOf(const Begun& line, std::size_t i, PicturePoint by, const Rows& rows, double most) const {
   double cost = 0;
   PicturePoint before;
-  for (std::size_t row = rows.from; row < rows.to; ++row) {
+  for (std::size_t row = rows.from; row < rows.to && cost < most; ++row) {
     const PicturePoint off = line.off[row] + moved(i, by, row);
-    if (row < rows.fixed && dot(off, off) > grid_.tolerance * grid_.tolerance) return std::nullopt;
+    if (row < rows.fixed && dot(off, off) > grid_.tolerance * grid_.tolerance) return most;
     cost += rowCost(off, row == rows.from ? off : before);
     before = off;
   }
   return cost;
+}
+
+void Search::keep(const Next& next) {
+  if (next_.size() == kBeam) {
+    std::ranges::pop_heap(next_, {}, &Next::all);
+    next_.pop_back();
+  }
+  next_.push_back(next);
+  std::ranges::push_heap(next_, {}, &Next::all);
 }
 
 void Search::lookAround(std::size_t i, const Rows& rows, std::size_t line) {
@@ -109,9 +120,10 @@ void Search::lookAround(std::size_t i, const Rows& rows, std::size_t line) {
     for (std::int64_t y = middleY - reach; y <= middleY + reach; ++y) {
       const std::size_t bits = i == 0 ? 0 : io::offCost(x - expectedX) + io::offCost(y - expectedY);
       const double cost = begun.cost + static_cast<double>(bits);
-      if (const auto besides = costOf(begun, i, fromFit(i, x, y), rows)) {
-        next_.push_back({line, x, y, cost, cost + *besides});
-      }
+      const double most = (next_.size() < kBeam ? kNoLine : next_.front().all) - cost;
+      if (!(most > 0)) continue;
+      const double besides = costOf(begun, i, fromFit(i, x, y), rows, most);
+      if (besides < most) keep({line, x, y, cost, cost + besides});
     }
   }
 }
@@ -120,11 +132,10 @@ bool Search::place(std::size_t i) {
   const Rows rows = rowsOf(i);
   next_.clear();
   for (std::size_t line = 0; line < lines_.size(); ++line) lookAround(i, rows, line);
-  const std::size_t kept = std::min(kBeam, next_.size());
-  std::ranges::partial_sort(next_, next_.begin() + static_cast<std::ptrdiff_t>(kept), {}, &Next::all);
+  std::ranges::sort_heap(next_, {}, &Next::all);
   const std::size_t settled = i + 1 < fit_.points.size() ? rowsOf(i + 1).from : rows.from;
   std::vector<Begun> lines;
-  for (const Next& next : std::span(next_).first(kept)) {
+  for (const Next& next : next_) {
     Begun line = lines_[next.line];
     line.numbers.insert(line.numbers.end(), {next.x, next.y});
     line.cost = next.cost;
@@ -135,7 +146,7 @@ bool Search::place(std::size_t i) {
     lines.push_back(std::move(line));
   }
   lines_ = std::move(lines);
-  if (kept > 0) least_ = next_.front().all;
+  if (!next_.empty()) least_ = next_.front().all;
   return !lines_.empty();
 }
 
@@ -143,7 +154,8 @@ GridLine Search::best() const {
   GridLine line{{}, least_};
   const std::vector<std::int64_t>& numbers = lines_.front().numbers;
   for (std::size_t k = 0; k < numbers.size(); k += 2) {
-    line.points.push_back(PicturePoint{static_cast<double>(numbers[k]), static_cast<double>(numbers[k + 1])} * grid_.step);
+    line.points.push_back(PicturePoint{static_cast<double>(numbers[k]), static_cast<double>(numbers[k + 1])} *
+                          grid_.step);
   }
   return line;
 }
