@@ -58,7 +58,7 @@ function tracedText(folder, name, stroke) {
   const picture = ['image.png', 'image.jpg'].map(at).find(existsSync);
   const how = ['--stroke', at('case.json'), '--stroke-name', stroke, '--recipe', folder.path('40.json')];
   works('loft', picture, ...how, '--out', folder.path('part.spineloft'));
-  const text = shared(folder.path('part.spineloft'));
+  const text = run('share', folder.path('part.spineloft')).stdout.trim();
   works('open', text, '--report', folder.path('r.json'));
   const { parts, lawful, dropped, repaired } = readJson(folder.path('r.json'));
   assert.deepEqual({ parts, lawful, dropped, repaired }, { parts: 1, lawful: 1, dropped: 0, repaired: 0 }, name);
