@@ -1,6 +1,7 @@
 #include "engine/publish/line_on_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -116,10 +117,18 @@ void Search::lookAround(std::size_t i, const Rows& rows, std::size_t line) {
       std::min<std::int64_t>(kMostSteps, std::llround(std::ceil(kReach * grid_.tolerance / grid_.step)));
   const std::int64_t middleX = std::llround(fit_.points[i].x / grid_.step);
   const std::int64_t middleY = std::llround(fit_.points[i].y / grid_.step);
+  const auto bits = [&](std::int64_t number, std::int64_t expected) {
+    return i == 0 ? 0.0 : static_cast<double>(io::offCost(number - expected));
+  };
+  std::array<double, 2 * kMostSteps + 1> bitsOfY{};
+  for (std::int64_t k = 0; k <= 2 * reach; ++k) {
+    bitsOfY[static_cast<std::size_t>(k)] = bits(middleY - reach + k, expectedY);
+  }
   for (std::int64_t x = middleX - reach; x <= middleX + reach; ++x) {
-    for (std::int64_t y = middleY - reach; y <= middleY + reach; ++y) {
-      const std::size_t bits = i == 0 ? 0 : io::offCost(x - expectedX) + io::offCost(y - expectedY);
-      const double cost = begun.cost + static_cast<double>(bits);
+    const double withX = begun.cost + bits(x, expectedX);
+    for (std::int64_t k = 0; k <= 2 * reach; ++k) {
+      const std::int64_t y = middleY - reach + k;
+      const double cost = withX + bitsOfY[static_cast<std::size_t>(k)];
       const double most = (next_.size() < kBeam ? kNoLine : next_.front().all) - cost;
       if (!(most > 0)) continue;
       const double besides = costOf(begun, i, fromFit(i, x, y), rows, most);

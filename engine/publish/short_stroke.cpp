@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::size_t, 26> kCounts = {2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14,
                                                  15, 16, 18, 20, 22, 24, 27, 30, 34, 37, 41, 45, 50};
 /// Grids that are tried, in steps of the text's own.
-constexpr std::array<double, 4> kGrids = {8, 4, 2, 1};
+constexpr std::array<double, 3> kGrids = {8, 4, 2};
 /// One pixel of a picture of 1024 pixels, in steps of the text's grid.
 constexpr double kMostOff = 4;
 /// Lines are looked for within this share of it: their spines are foretold, and found a bit elsewhere.
@@ -25,7 +25,7 @@ constexpr double kAimed = 0.95;
 /// What LineGrid::rough is, in steps of the text's grid: which is best depends on how far the ribs reach.
 constexpr std::array<double, 2> kRough = {0.3, 0.45};
 /// So many of the cheapest lines of each are cleaned and told.
-constexpr std::size_t kTold = 8;
+constexpr std::size_t kTold = 6;
 /// More points are tried while the cheapest line takes at most so many times what the cheapest of all takes.
 constexpr double kWorthMore = 1.6;
 
