@@ -9,7 +9,7 @@ namespace spineloft::publish {
 namespace {
 
 /// Lines that are followed.
-constexpr std::size_t kBeam = 12;
+constexpr std::size_t kBeam = 8;
 /// Places are looked at as far as this from where the fit is, in tolerances, and so many steps at the most.
 constexpr double kReach = 3;
 constexpr int kMostSteps = 5;

@@ -27,7 +27,7 @@ constexpr std::array<double, 2> kRough = {0.3, 0.45};
 /// So many of the cheapest lines of each are cleaned and told.
 constexpr std::size_t kTold = 6;
 /// More points are tried while the cheapest line takes at most so many times what the cheapest of all takes.
-constexpr double kWorthMore = 1.6;
+constexpr double kWorthMore = 1.4;
 
 /// The largest distance between points of the same number; none where the numbers differ.
 std::optional<double> apart(const ribs::Spine& a, const ribs::Spine& b) {
