@@ -1,7 +1,5 @@
 #include "web/gl/kept_layer.h"
 
-#include <cmath>
-
 #include "web/gl/shader_sources.h"
 
 namespace spineloft::gl {
@@ -9,8 +7,8 @@ namespace {
 
 /// From the same place, in views of the same size.
 bool sameView(const Scene& a, const Scene& b) {
-  return a.solidView.width == b.solidView.width && a.solidView.height == b.solidView.height && a.dpr == b.dpr &&
-         a.view == b.view && a.projection == b.projection && a.dark == b.dark;
+  return a.solidView == b.solidView && a.height == b.height && a.dpr == b.dpr && a.view == b.view &&
+         a.projection == b.projection && a.dark == b.dark;
 }
 
 Texture makeTexture(GLenum format, int width, int height) {
@@ -37,9 +35,7 @@ void KeptLayer::follow(const Scene& scene) {
   before_ = scene;
 }
 
-void KeptLayer::begin(const Scene& scene) {
-  const int width = static_cast<int>(std::lround(scene.solidView.width * scene.dpr));
-  const int height = static_cast<int>(std::lround(scene.solidView.height * scene.dpr));
+void KeptLayer::begin(int width, int height) {
   if (!framebuffer_) framebuffer_ = Framebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   if (width != width_ || height != height_) {

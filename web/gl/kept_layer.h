@@ -21,8 +21,8 @@ class KeptLayer {
   bool share() { return items_.share(); }
   const std::vector<SceneMesh>& kept() const { return items_.picture(); }
   const std::vector<SceneMesh>& others() const { return items_.others(); }
-  /// Binds and clears the layer, in the size of the solid view.
-  void begin(const Scene& scene);
+  /// Binds and clears the layer, as large as the solid view: device pixels.
+  void begin(int width, int height);
   /// Binds the canvas again.
   void end();
   /// Puts the layer into the viewport, whose left and lower edges these are. `quad`: as FloorShadow::update.

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "engine/image/srgb.h"
@@ -163,18 +162,20 @@ class WebGlRenderer final : public Renderer {
   bool contextRestored() override { return !lost_ || build(); }
 
  private:
-  /// The corner of a rectangle of the canvas, device pixels from its left edge and its foot.
-  static std::pair<int, int> lowerLeft(const Scene& scene, const Viewport& at) {
+  /// A rectangle of the canvas in device pixels, from its left edge and its foot.
+  struct Pixels {
+    int left, bottom, width, height;
+  };
+  static Pixels pixelsOf(const Scene& scene, const Viewport& at) {
     const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
-    return {px(at.x), px(scene.height) - px(at.y + at.height)};
+    const int left = px(at.x), bottom = px(scene.height) - px(at.y + at.height);
+    return {left, bottom, std::max(0, px(at.x + at.width) - left), std::max(0, px(scene.height) - px(at.y) - bottom)};
   }
   /// Viewport and scissor to a rectangle of the canvas.
   void enter(const Scene& scene, const Viewport& at) const {
-    const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
-    const auto [left, bottom] = lowerLeft(scene, at);
-    const int right = px(at.x + at.width), top = px(scene.height) - px(at.y);
-    glViewport(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
-    glScissor(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
+    const auto [left, bottom, width, height] = pixelsOf(scene, at);
+    glViewport(left, bottom, width, height);
+    glScissor(left, bottom, width, height);
   }
 
   /// Addresses of textures become the names that Dear ImGui's backend takes.
@@ -240,8 +241,10 @@ class WebGlRenderer final : public Renderer {
     layer_.follow(scene);
     layered_ = false;
     if (smoothAnyway_ || scene.still || (still_ && sameSolids(scene, stillScene_))) return;
+    if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
     if (layer_.share()) {
-      layer_.begin(scene);
+      const Pixels view = pixelsOf(scene, scene.solidView);
+      layer_.begin(view.width, view.height);
       drawBackground(scene);
       drawMeshes(scene, layer_.kept());
       layer_.end();
@@ -278,8 +281,8 @@ class WebGlRenderer final : public Renderer {
   void drawMovingView(const Scene& scene) {
     if (layered_) {
       keepUploads(scene);
-      const auto [left, bottom] = lowerLeft(scene, scene.solidView);
-      layer_.draw(left, bottom, quadArray_);
+      const Pixels view = pixelsOf(scene, scene.solidView);
+      layer_.draw(view.left, view.bottom, quadArray_);
       drawFloor(scene);
       drawMeshes(scene, layer_.others());
     } else {

@@ -85,11 +85,8 @@ void App::makeFonts() {
 
 void App::warmUp() {
   if (lost_ || frames_ > 0) return;
-  if (fontDpr_ != ui_.dpr) {
-    makeFonts();
-  } else {
-    drawFrame();
-  }
+  if (fontDpr_ == ui_.dpr) return drawFrame();
+  makeFonts();
 }
 
 void App::setDark(bool dark) {
