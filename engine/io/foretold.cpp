@@ -42,13 +42,18 @@ std::optional<std::int64_t> byTurn(std::span<const std::int64_t> before) {
   return before[i - 2] + (i % 2 == 0 ? next->x : next->y);
 }
 
+/// The nearest whole number, away from 0 in the middle. `by` is even.
+std::int64_t rounded(std::int64_t value, std::int64_t by) { return (value + (value < 0 ? -by / 2 : by / 2)) / by; }
+
 }  // namespace
 
 std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, std::size_t count) {
   const std::size_t i = before.size(), s = mode.stride;
   if (mode.halves && i >= count - count / 2) {
     const std::size_t like = i - (count - count / 2);
-    return like == 0 ? before[0] : before[i - 1] + before[like] - before[like - 1];
+    if (like == 0) return before[0];
+    if (mode.order < 3 || like == 1) return before[i - 1] + before[like] - before[like - 1];
+    return foretold({.order = mode.order, .bend = mode.bend}, before.last(like), count);
   }
   if (mode.order == 0 || i < s) return 0;
   if (mode.order == 1 || i < 2 * s) return before[i - s];
@@ -57,7 +62,13 @@ std::int64_t foretold(const Mode& mode, std::span<const std::int64_t> before, st
   }
   const auto reach = static_cast<std::int64_t>(std::min(mode.reach, i / s - 1));
   const std::int64_t last = before[i - s], change = last - before[i - s - static_cast<std::size_t>(reach) * s];
-  return last + (2 * change + (change < 0 ? -reach : reach)) / (2 * reach);  // rounded
+  const std::int64_t next = last + rounded(2 * change, 2 * reach);
+  if (mode.order < 3 || i < 3 * s) return next;
+  return next + rounded(mode.bend * (change - (before[i - 2 * s] - before[i - 3 * s])), 4);
+}
+
+std::size_t offCost(std::int64_t off) {
+  return off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
 }
 
 std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) {

@@ -68,9 +68,10 @@ struct Dialect {
   std::uint32_t firstWeight;                 ///< Chances::firstWeight
   std::array<std::string_view, 8> examples;  ///< what both sides know beforehand, what is most usual last
   bool traced;                               ///< and then tracedModels(), whose words are spelled
+  bool halved;                               ///< a row in the middle of a table may begin anew
 };
-constexpr std::array<Dialect, 3> kDialects{{
-    {5, 3, 5, false, false, 8, {kPackedExample}, false},
+constexpr std::array<Dialect, 4> kDialects{{
+    {5, 3, 5, false, false, 8, {kPackedExample}, false, false},
     {8,
      3,
      6,
@@ -78,8 +79,10 @@ constexpr std::array<Dialect, 3> kDialects{{
      false,
      8,
      {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6, kPackedPart7},
+     false,
      false},
-    {9, 4, 6, true, true, 5, {kPackedExample}, true},
+    {9, 4, 6, true, true, 5, {kPackedExample}, true, false},
+    {11, 4, 6, true, true, 5, {kPackedExample}, true, true},
 }};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
@@ -204,7 +207,10 @@ const Example& exampleOnce() {
   return made;
 }
 const Example& exampleOf(int version) {
-  return version == 1 ? exampleOnce<1>() : version == 2 ? exampleOnce<2>() : exampleOnce<3>();
+  return version == 1   ? exampleOnce<1>()
+         : version == 2 ? exampleOnce<2>()
+         : version == 3 ? exampleOnce<3>()
+                        : exampleOnce<4>();
 }
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
@@ -440,7 +446,8 @@ Json Packer::table(const Json& in, std::uint64_t key, int depth) {
     } else {
       for (std::size_t r = 0; r < rows && !failed_; ++r) {
         const bool like = !reads_ && r > 0 && in[r][c] == in[r - 1][c];
-        if (dialect_.later && r > 0 && coder_.bit(context(below, Place::Column, 1), like)) {
+        const std::uint64_t place = dialect_.halved && 2 * r == rows ? 2 : 1;
+        if (dialect_.later && r > 0 && coder_.bit(context(below, Place::Column, place), like)) {
           out[r][c] = out[r - 1][c];
         } else {
           out[r][c] = value(reads_ ? Json() : in[r][c], below, depth);
@@ -542,7 +549,10 @@ const Chances& learnedOnce() {
   return made;
 }
 const Chances& learned(int version) {
-  return version == 1 ? learnedOnce<1>() : version == 2 ? learnedOnce<2>() : learnedOnce<3>();
+  return version == 1   ? learnedOnce<1>()
+         : version == 2 ? learnedOnce<2>()
+         : version == 3 ? learnedOnce<3>()
+                        : learnedOnce<4>();
 }
 
 }  // namespace

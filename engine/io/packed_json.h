@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostPacked = std::size_t{1} << 21;
 inline constexpr int kMostPackedDepth = 32;
 
 /// What packJson writes; 1 … this are read.
-inline constexpr int kPackedVersion = 3;
+inline constexpr int kPackedVersion = 4;
 
 /// Numbers that are not finite become null. Errors: OutOfMemory (more than kMostPacked, or nested deeper).
 Result<std::vector<std::uint8_t>> packJson(const nlohmann::json& value);

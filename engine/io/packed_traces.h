@@ -1,4 +1,4 @@
-// What version 3 of packJson begins with besides the example of version 1. Internal to packed_json.cpp.
+// What packJson begins with from version 3 on, besides the example of version 1. Internal to packed_json.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -202,8 +202,7 @@ std::size_t listCost(std::span<const double> numbers, double step) {
   for (const Mode& mode : kModes) {
     std::size_t sum = 0;
     for (std::size_t i = 2; i < whole.size(); ++i) {
-      const std::int64_t off = whole[i] - foretold(mode, std::span(whole).first(i), whole.size());
-      sum += off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
+      sum += offCost(whole[i] - foretold(mode, std::span(whole).first(i), whole.size()));
     }
     least = std::min(least, sum);
   }
@@ -221,19 +220,6 @@ std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture)
   std::vector<double> numbers;
   for (const PicturePoint p : line) numbers.insert(numbers.end(), {p.x, p.y});
   return listCost(numbers, shareStep(picture));
-}
-
-std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture) {
-  const Grid grid(picture);
-  document::LoftRecipe told = recipe;
-  TracedRibs traced;
-  tellEnds(told, grid, traced);
-  std::vector<double> along, out;
-  for (const ribs::EndEdit& end : told.edits.ends) {
-    along.push_back(end.along);
-    out.push_back(end.out);
-  }
-  return listCost(along, grid.alone()) + listCost(out, grid.alone());
 }
 
 std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image::Size picture) {

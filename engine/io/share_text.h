@@ -18,7 +18,7 @@
 namespace spineloft::io {
 
 /// What texts are written as; 1 … this are read.
-inline constexpr int kShareVersion = 3;
+inline constexpr int kShareVersion = 4;
 /// Longest text that is read, characters.
 inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 
@@ -38,8 +38,6 @@ std::vector<PicturePoint> keptLine(const std::vector<PicturePoint>& line, image:
 /// About so many quarters of a bit a line takes in a text: few where its points are evenly spaced and turn evenly, or
 /// are on a coarse grid.
 std::size_t lineCost(const std::vector<PicturePoint>& line, image::Size picture);
-/// And the rib ends of a part.
-std::size_t endsCost(const document::LoftRecipe& recipe, image::Size picture);
 
 /// Longest side of the copy of a photo in a text, pixels.
 inline constexpr int kMostSharedSide = 512;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,20 @@ std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const i
   return mean;
 }
 
+/// Characters of the text of a model with only this part, on paper instead of its photo.
+std::size_t lengthAlone(const document::PictureEntry& photo, document::LoftRecipe recipe) {
+  document::PictureEntry paper;
+  paper.id = photo.id;
+  paper.size = photo.size;
+  document::Part part;
+  part.recipe = std::move(recipe);
+  document::Document model;
+  model.pictures.emplace_back(std::move(paper));
+  model.parts.emplace_back(std::move(part));
+  const Result<std::string> text = io::writeShareText(model);
+  return text.ok() ? text.value().size() : std::numeric_limits<std::size_t>::max();
+}
+
 /// withoutPhotos, but that parts go on to show photos of which there are copies.
 document::Document fixed(const document::Document& document, const pipeline::Derived& derived,
                          const io::PhotoCopies& copies) {
@@ -66,13 +82,13 @@ document::Document fixed(const document::Document& document, const pipeline::Der
     const auto& shape = derived.parts[i].shape;
     if (entry == nullptr || entry->isSketch() || !shape) continue;
     if (document::LoftRecipe* loft = document::loftOf(part)) {
-      const auto besides = [&](const StrokeAndSpine& line) {
+      const auto lengthOf = [&](const StrokeAndSpine& line) {
         document::LoftRecipe on = *loft;
         on.stroke = line.stroke;
         on.edits = fixedEnds(*shape, line.spine, loft->edits);
-        return io::endsCost(on, entry->size);
+        return lengthAlone(*entry, std::move(on));
       };
-      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, besides);
+      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, lengthOf);
       loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);
       loft->stroke = std::move(shorter.stroke);
     }

@@ -14,8 +14,8 @@ using namespace spineloft::testing;
 
 namespace {
 
-constexpr std::uint32_t kTurns = kModes.size() - 1;
-static_assert(kModes[kTurns].turns);
+constexpr std::uint32_t kTurns = kLineModes[1], kBends = kModes.size() - 1;
+static_assert(kModes[kTurns].turns && kModes[kBends].bend == 3);
 
 /// Points of a line of even steps that turns evenly.
 std::vector<std::int64_t> arc(double step, double turn, int points) {
@@ -58,4 +58,21 @@ TEST_CASE(
       CHECK(foretold(kModes[kTurns], before, 40) == foretold(line, before, 40));
     }
   }
+}
+
+TEST_CASE(
+    "a step changes by a share of the last change, rounded, and the second half of a list begins as the first one") {
+  // Steps 32, 48, 60, 69: each change is three quarters of the one before.
+  const std::vector<std::int64_t> half = {7, 39, 87, 147, 216};
+  std::vector<std::int64_t> numbers = half;
+  for (const std::int64_t number : half) numbers.push_back(number);
+  const auto at = [&](std::size_t i) { return foretold(kModes[kBends], std::span(numbers).first(i), numbers.size()); };
+  for (const std::size_t i : {3U, 4U, 5U, 6U, 8U, 9U}) CHECK_MESSAGE(at(i) == numbers[i], i);
+  CHECK(bestMode(numbers, kModes.size()) == kBends);
+  // Versions before the fourth do without.
+  CHECK(bestMode(numbers, 9) < 9);
+  const std::vector<std::int64_t> odd = {0, 0, 1, 4, -1};
+  // 4 + 3 + 3/4 of 2; and of changes below 0.
+  CHECK(foretold(kModes[kBends], std::span(odd).first(4), 40) == 9);
+  CHECK(foretold(kModes[kBends], odd, 40) == -1 - 5 - 6);
 }
