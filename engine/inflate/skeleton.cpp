@@ -90,7 +90,7 @@ class MedialAxis {
     const double twice = 2 * cross(b, c);
     const SectionPoint to{(c.y * dot(b, b) - b.y * dot(c, c)) / twice, (b.x * dot(c, c) - c.x * dot(b, b)) / twice};
     const SectionPoint centre = a + to;
-    if (isFinite(centre) && mesh.find(centre)) {
+    if (isFinite(centre) && mesh.find(centre, t)) {
       const double radius = rim.to(centre);
       if (radius >= kInside * norm(to)) return {centre, radius};
     }
@@ -347,6 +347,7 @@ Skeleton skeletonFrom(const std::vector<MedialAxis::Way>& ways) {
     if (!alone) branch.push_back(pointOf(to));
     skeleton.branches.push_back(std::move(branch));
   }
+  if (skeleton.branches.empty()) skeleton.branches.push_back({pointOf(nodes.of(ways.front().from))});
   return skeleton;
 }
 
