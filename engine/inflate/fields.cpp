@@ -20,13 +20,14 @@ namespace {
 using geometry::PlaneMesh;
 constexpr std::uint32_t kNone = PlaneMesh::kNone;
 
-constexpr double kPoints = 1000;     ///< of the mesh, about, times the square of the fineness
-constexpr double kThin = 0.7;        ///< of the half width of what is thin: the spacing there
-constexpr double kMostOnRim = 3000;  ///< points of all outlines, about
-constexpr double kNearEnd = 1.5;     ///< spacings: ends nearer to the outline are left out
-constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
-constexpr int kRounds = 8;           ///< of floods
-constexpr int kTries = 3;            ///< with a finer mesh each
+constexpr double kPoints = 1000;      ///< of the mesh, about, times the square of the fineness
+constexpr double kThin = 0.7;         ///< of the half width of what is thin: the spacing there
+constexpr double kCoarseThin = 0.45;  ///< and of a mesh that may be coarser: its bones must not be left out as too near
+constexpr double kMostOnRim = 3000;   ///< points of all outlines, about
+constexpr double kNearEnd = 1.5;      ///< spacings: ends nearer to the outline are left out
+constexpr double kSmooth = 0.15;      ///< of the half width: how far creases are smoothed
+constexpr int kRounds = 8;            ///< of floods
+constexpr int kTries = 3;             ///< with a finer mesh each
 
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
@@ -431,8 +432,9 @@ std::size_t bytesOf(const Fields& fields) {
 }
 
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton, double fineness) {
-  const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints)) / fineness;
-  double spacing = std::max(std::min(even, kThin * thinness(skeleton)), geometry::perimeterOf(piece) / kMostOnRim);
+  const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints)), thin = thinness(skeleton);
+  const double coarse = std::min(even / fineness, kCoarseThin * thin);
+  double spacing = std::max({std::min(even, kThin * thin), coarse, geometry::perimeterOf(piece) / kMostOnRim});
   Result<Fields> fields = fieldsAt(piece, skeleton, spacing);
   for (int attempt = 1; attempt < kTries && !fields; ++attempt) {
     spacing /= 2;

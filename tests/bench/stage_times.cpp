@@ -195,7 +195,8 @@ int main(int count, char** words) {
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --workers, or --ribs and a case folder\n";
+    std::cerr
+        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --workers, or --ribs and a case folder\n";
     return 2;
   }
   return 0;
