@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { fails, readJson, works, workFolder } from '../support/cli.mjs';
+import { barFolder, fails, readJson, works, workFolder } from '../support/cli.mjs';
 
 const arc = (x, y, r, from, to, n = 60) =>
   Array.from({ length: n + 1 }, (_, i) => {
@@ -83,7 +83,7 @@ test('without a slice a puff is what it was, and a recipe comes back from its fi
 });
 
 test('what is wrong with a slice or an outline is named', (t) => {
-  const folder = workFolder(t);
+  const folder = barFolder(t);
   const refused = (contours, recipe, words) => {
     const file = write(folder, document(contours, recipe));
     assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words);
@@ -99,7 +99,7 @@ test('what is wrong with a slice or an outline is named', (t) => {
     refused(contours, {}, /not of pairs/);
     writeFileSync(folder.path('one.json'), JSON.stringify({ kind: 'puff', recipe: { region: { contours } } }));
     assert.match(
-      fails(3, 'loft', '--recipe', folder.path('one.json'), '--report', folder.path('r.json')),
+      fails(3, 'loft', folder.path('bar.png'), '--recipe', folder.path('one.json'), '--report', folder.path('r.json')),
       /not of pairs/,
     );
   }
@@ -120,6 +120,34 @@ test('what is wrong with a slice or an outline is named', (t) => {
   );
 });
 
+test('the recipes after Levet and Granier have the bones, pieces and handles of their figures', (t) => {
+  const folder = workFolder(t);
+  const file = (name) => new URL(`../../assets/docs/recipes/${name}.json`, import.meta.url).pathname;
+  const of = (name) => {
+    works('loft', '--recipe', file(name), '--report', folder.path('report.json'));
+    return [readJson(folder.path('report.json'))].flat();
+  };
+  const nodes = (parts) => parts.map(({ bones }) => [bones.ends, bones.rings]);
+  assert.deepEqual(nodes(of('waved-disc')), [[0, 0]]);
+  const [pieces] = of('three-piece-slice');
+  assert.deepEqual([pieces.mesh.shells, pieces.mesh.genus], [3, 2]);
+  assert.deepEqual(nodes(of('one-smooth-bone')), [[2, 0]]);
+  const [box] = of('box');
+  assert.ok(Math.abs(box.mesh.volume / (240 * 120 * 120) - 1) < 0.002, `${box.mesh.volume}`);
+  assert.deepEqual(
+    of('letters').map(({ mesh }) => mesh.genus),
+    [4, 0, 1],
+  );
+  assert.deepEqual(nodes(of('bones-of-outlines')), [
+    [5, 0],
+    [3, 0],
+    [2, 0],
+    [4, 0],
+    [4, 0],
+    [0, 2],
+  ]);
+});
+
 test('every outline, slice and bone of a list of bad ones makes a lawful solid or is refused with what is wrong', (t) => {
   const folder = workFolder(t);
   const round = { shape: { preset: 'circle' } };
@@ -132,7 +160,9 @@ test('every outline, slice and bone of a list of bad ones makes a lawful solid o
   const sound = {
     'a line that crosses itself': [[[100, 100, 300, 300, 300, 100, 100, 300]]],
     '500 pieces': [
-      Array.from({ length: 500 }, (_, i) => circle(10 + (i % 25) * 15.5, 10 + Math.floor(i / 25) * 19, 5)),
+      Array.from({ length: 500 }, (_, i) =>
+        arc(10 + (i % 25) * 15.5, 10 + Math.floor(i / 25) * 19, 5, 0, (11 / 6) * Math.PI, 11),
+      ),
     ],
     '100,000 points': [[arc(200, 200, 150, 0, 2 * Math.PI, 99999)]],
     'points in a line and twice': [[[100, 100, 150, 100, 200, 100, 200, 100, 300, 100, 300, 300, 300, 300, 100, 300]]],

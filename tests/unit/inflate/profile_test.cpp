@@ -243,6 +243,11 @@ TEST_CASE("every shape with every slice is lawful, does not cross itself, and ha
 TEST_CASE("a ready profile is known by its slice, cut or not, and has the shells and handles of its curves") {
   CHECK_FALSE(readyProfile("pyramid"));
   CHECK(profileKey(paramsOf(kMushroom).profile) == "own");
+  ProfileParams older = *readyProfile("ring");  // not on the grid
+  for (auto& curve : older.slices[0].shape.contours) {
+    for (SectionPoint& p : curve) p.x += 4e-4;
+  }
+  CHECK(profileKey(older) == "ring");
   for (const ReadyProfile& ready : readyProfiles()) {
     CAPTURE(std::string(ready.key));
     const ProfileParams profile = *readyProfile(ready.key);
