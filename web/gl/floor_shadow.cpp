@@ -7,16 +7,16 @@
 namespace spineloft::gl {
 namespace {
 
-constexpr int kSide = 256;
+constexpr int kHeightsSide = 256, kShadowSide = 128;
 
 GLint uniform(const Program& program, const char* name) { return glGetUniformLocation(program.name(), name); }
 
 }  // namespace
 
-FloorShadow::Map FloorShadow::makeMap() {
+FloorShadow::Map FloorShadow::makeMap(int side) {
   Map map{Texture::make(), Framebuffer::make()};
   glBindTexture(GL_TEXTURE_2D, map.texture.name());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, kSide, kSide);
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, side, side);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -30,11 +30,13 @@ FloorShadow::Map FloorShadow::makeMap() {
 bool FloorShadow::make() {
   height_ = makeProgram(shaders::kShadowVert, shaders::kShadowFrag, {"position"});
   soften_ = makeProgram(shaders::kQuadVert, shaders::kSoftenFrag, {"corner"});
-  if (!height_ || !soften_) return false;
-  heights_ = makeMap();
-  shadow_ = makeMap();
+  if (!isLinked(height_) || !isLinked(soften_)) return false;
+  heights_ = makeMap(kHeightsSide);
+  kept_ = makeMap(kHeightsSide);
+  shadow_ = makeMap(kShadowSide);
   fromSky_ = {};
-  parts_.clear();
+  casts_.clear();
+  items_.forget();
   return true;
 }
 
@@ -43,11 +45,12 @@ void FloorShadow::update(const Scene& scene, MeshStore& meshes, const VertexArra
   const Mat4 fromSky = fromAbove(scene.floorCentre, scene.floorRadius, scene.floorCentre.y - 1e-3,
                                  scene.floorCentre.y + std::max(1e-3, scene.floorHeadroom));
   const auto cast = [](const SceneMesh& item) { return Cast{item.key, item.toWorld}; };
-  if (fromSky == fromSky_ && std::ranges::equal(scene.meshes, parts_, {}, cast)) return;
+  const bool sameFloor = fromSky == fromSky_;
+  if (sameFloor && std::ranges::equal(scene.meshes, casts_, {}, cast)) return;
   fromSky_ = fromSky;
-  parts_.clear();
-  for (const SceneMesh& item : scene.meshes) parts_.push_back(cast(item));
-  glViewport(0, 0, kSide, kSide);
+  casts_.clear();
+  for (const SceneMesh& item : scene.meshes) casts_.push_back(cast(item));
+  items_.follow(casts_, sameFloor);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -56,16 +59,33 @@ void FloorShadow::update(const Scene& scene, MeshStore& meshes, const VertexArra
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void FloorShadow::drawHeights(const Scene& scene, MeshStore& meshes) const {
-  glBindFramebuffer(GL_FRAMEBUFFER, heights_.framebuffer.name());
+void FloorShadow::drawHeights(const Scene& scene, MeshStore& meshes) {
+  glViewport(0, 0, kHeightsSide, kHeightsSide);
   glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT);
+  if (items_.share()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, kept_.framebuffer.name());
+    glClear(GL_COLOR_BUFFER_BIT);
+    drawCasts(scene, meshes, items_.picture());
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, heights_.framebuffer.name());
+  if (items_.picture().empty()) {
+    glClear(GL_COLOR_BUFFER_BIT);
+  } else {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_.framebuffer.name());
+    glBlitFramebuffer(0, 0, kHeightsSide, kHeightsSide, 0, 0, kHeightsSide, kHeightsSide, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+  }
+  drawCasts(scene, meshes, items_.others());
+}
+
+void FloorShadow::drawCasts(const Scene& scene, MeshStore& meshes, const std::vector<Cast>& casts) const {
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);  // the lowest surface over each place counts: the shader writes 1 − height
   glUseProgram(height_.name());
   glUniformMatrix4fv(uniform(height_, "toClip"), 1, GL_FALSE, fromSky_.m.data());
   const GLint toWorld = uniform(height_, "toWorld");
   for (const SceneMesh& item : scene.meshes) {
+    if (std::ranges::find(casts, Cast{item.key, item.toWorld}) == casts.end()) continue;
     const GpuMesh& mesh = meshes.get(item);
     glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
     glBindVertexArray(mesh.array.name());
@@ -76,6 +96,7 @@ void FloorShadow::drawHeights(const Scene& scene, MeshStore& meshes) const {
 }
 
 void FloorShadow::drawShadow(const VertexArray& quad) const {
+  glViewport(0, 0, kShadowSide, kShadowSide);
   glBindFramebuffer(GL_FRAMEBUFFER, shadow_.framebuffer.name());
   glUseProgram(soften_.name());
   glUniform4f(uniform(soften_, "place"), -1, -1, 2, 2);
@@ -90,7 +111,7 @@ void FloorShadow::drawShadow(const VertexArray& quad) const {
 void FloorShadow::forget() {
   height_.forget();
   soften_.forget();
-  for (Map* map : {&heights_, &shadow_}) {
+  for (Map* map : {&heights_, &kept_, &shadow_}) {
     map->texture.forget();
     map->framebuffer.forget();
   }

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "web/gl/handles.h"
+#include "web/gl/kept_items.h"
 #include "web/gl/mesh_store.h"
 #include "web/gl/renderer.h"
 
 namespace spineloft::gl {
 
 /// Two small maps of the floor: how near above each place a part is, and the shadow of that. Both are drawn again only
-/// where parts or floor are others.
+/// when parts or floor are others, and of the first only what the parts that move add.
 class FloorShadow {
  public:
   /// False when the programs cannot be made.
@@ -32,15 +33,17 @@ class FloorShadow {
     Mat4 toWorld;
     bool operator==(const Cast&) const = default;
   };
-  static Map makeMap();
-  void drawHeights(const Scene& scene, MeshStore& meshes) const;
+  static Map makeMap(int side);
+  void drawHeights(const Scene& scene, MeshStore& meshes);
+  void drawCasts(const Scene& scene, MeshStore& meshes, const std::vector<Cast>& casts) const;
   void drawShadow(const VertexArray& quad) const;
 
   Program height_, soften_;
-  Map heights_, shadow_;
+  Map heights_, kept_, shadow_;  ///< `kept_`: the heights of what stays as it is
   // What the maps show.
   Mat4 fromSky_;
-  std::vector<Cast> parts_;
+  std::vector<Cast> casts_;
+  KeptItems<Cast> items_;
 };
 
 }  // namespace spineloft::gl

@@ -86,9 +86,11 @@ using Renderbuffer = Handle<RenderbufferTraits>;
 using Framebuffer = Handle<FramebufferTraits>;
 using Program = Handle<ProgramTraits>;
 
-/// Compiles and links; an empty handle (and the log on stderr) when that fails. `attributes` gives
-/// the names of vertex attributes 0, 1, 2 … in order.
+/// Begins to compile and link. `attributes` gives the names of vertex attributes 0, 1, 2 … in order.
 Program makeProgram(std::string_view vertexSource, std::string_view fragmentSource,
                     std::initializer_list<const char*> attributes);
+/// Waits for that; the logs are on stderr when it failed. Ask when all programs have been begun: they link side by
+/// side.
+bool isLinked(const Program& program);
 
 }  // namespace spineloft::gl

@@ -7,15 +7,20 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "engine/image/srgb.h"
 #include "web/gl/drawn_frame.h"
 #include "web/gl/floor_shadow.h"
 #include "web/gl/handles.h"
+#include "web/gl/kept_layer.h"
 #include "web/gl/mesh_store.h"
 #include "web/gl/shader_sources.h"
 #include "web/gl/still_target.h"
 #include "web/gl/texture_store.h"
+#include "web/gl/unseen.h"
 
 namespace spineloft::gl {
 namespace {
@@ -25,7 +30,9 @@ constexpr std::array kPaper = {0.969f, 0.961f, 0.941f}, kDarkPaper = {0.090f, 0.
 
 struct Programs {
   Program background, picture, mesh, floor, copy;
-  bool complete() const { return background && picture && mesh && floor && copy; }
+  bool complete() const {
+    return isLinked(background) && isLinked(picture) && isLinked(mesh) && isLinked(floor) && isLinked(copy);
+  }
   void forget() {
     for (Program* p : {&background, &picture, &mesh, &floor, &copy}) p->forget();
   }
@@ -62,7 +69,7 @@ class WebGlRenderer final : public Renderer {
 
   bool build() {
     programs_ = makePrograms();
-    if (!programs_.complete() || !shadow_.make()) return false;
+    if (!shadow_.make() || !layer_.make() || !programs_.complete()) return false;
     GLint samples = 0;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glGetIntegerv(GL_SAMPLES, &samples);
@@ -88,6 +95,7 @@ class WebGlRenderer final : public Renderer {
   void draw(const Scene& scene) override {
     if (lost_ || drawn_.shows(scene, ImGui::GetDrawData())) return;
     shadow_.update(scene, meshes_, quadArray_);
+    prepareLayer(scene);
     const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
     const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -105,6 +113,7 @@ class WebGlRenderer final : public Renderer {
     glViewport(0, 0, width, height);
     if (ImDrawData* ui = ImGui::GetDrawData()) {
       nameTextures(*ui);
+      dropUnseen(*ui);
       ImGui_ImplOpenGL3_RenderDrawData(ui);
     }
     meshes_.endFrame();
@@ -131,8 +140,7 @@ class WebGlRenderer final : public Renderer {
 
   void fontsChanged() override {
     if (lost_) return;
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // made anew with the next frame
     drawn_.forget();
   }
 
@@ -141,6 +149,7 @@ class WebGlRenderer final : public Renderer {
     lost_ = true;
     programs_.forget();
     shadow_.forget();
+    layer_.forget();
     still_.forget();
     snapshot_.forget();
     quadArray_.forget();
@@ -154,11 +163,16 @@ class WebGlRenderer final : public Renderer {
   bool contextRestored() override { return !lost_ || build(); }
 
  private:
+  /// The corner of a rectangle of the canvas, device pixels from its left edge and its foot.
+  static std::pair<int, int> lowerLeft(const Scene& scene, const Viewport& at) {
+    const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
+    return {px(at.x), px(scene.height) - px(at.y + at.height)};
+  }
   /// Viewport and scissor to a rectangle of the canvas.
   void enter(const Scene& scene, const Viewport& at) const {
     const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
-    const int left = px(at.x), right = px(at.x + at.width);
-    const int bottom = px(scene.height) - px(at.y + at.height), top = px(scene.height) - px(at.y);
+    const auto [left, bottom] = lowerLeft(scene, at);
+    const int right = px(at.x + at.width), top = px(scene.height) - px(at.y);
     glViewport(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
     glScissor(left, bottom, std::max(0, right - left), std::max(0, top - bottom));
   }
@@ -221,6 +235,20 @@ class WebGlRenderer final : public Renderer {
     drawQuad();
   }
 
+  /// Where something moves: what stays as it is is drawn into the layer, unless that shows it already.
+  void prepareLayer(const Scene& scene) {
+    layer_.follow(scene);
+    layered_ = false;
+    if (smoothAnyway_ || scene.still || (still_ && sameSolids(scene, stillScene_))) return;
+    if (layer_.share()) {
+      layer_.begin(scene);
+      drawBackground(scene);
+      drawMeshes(scene, layer_.kept());
+      layer_.end();
+    }
+    layered_ = !layer_.kept().empty();
+  }
+
   /// A view that nothing moves in is drawn once, smoothly, and from then on copied, whatever moves beside it.
   void drawSolidView(const Scene& scene) {
     if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
@@ -229,7 +257,7 @@ class WebGlRenderer final : public Renderer {
       keepUploads(scene);
     } else if (smoothAnyway_ || !scene.still || !still_.begin(px(scene.solidView.width), px(scene.solidView.height))) {
       enter(scene, scene.solidView);
-      drawSolids(scene);
+      drawMovingView(scene);
       return;
     } else {
       drawSolids(scene);
@@ -247,7 +275,19 @@ class WebGlRenderer final : public Renderer {
     drawQuad();
   }
 
-  /// What the copied view shows stays on the GPU.
+  void drawMovingView(const Scene& scene) {
+    if (layered_) {
+      keepUploads(scene);
+      const auto [left, bottom] = lowerLeft(scene, scene.solidView);
+      layer_.draw(left, bottom, quadArray_);
+      drawFloor(scene);
+      drawMeshes(scene, layer_.others());
+    } else {
+      drawSolids(scene);
+    }
+  }
+
+  /// What is taken from a copy stays on the GPU.
   void keepUploads(const Scene& scene) {
     for (const SceneMesh& item : scene.meshes) {
       meshes_.get(item);
@@ -256,22 +296,25 @@ class WebGlRenderer final : public Renderer {
   }
 
   void drawSolids(const Scene& scene) {
+    drawBackground(scene);
+    drawFloor(scene);
+    drawMeshes(scene, scene.meshes);
+  }
+
+  void drawBackground(const Scene& scene) const {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     glUseProgram(programs_.background.name());
     placeQuad(programs_.background, scene.solidView, scene.solidView);
     glUniform1f(uniform(programs_.background, "dark"), scene.dark ? 1.f : 0.f);
     drawQuad();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    const Mat4 toClip = scene.projection * scene.view;
-    if (scene.floorRadius > 0) drawFloor(scene, toClip);
-    drawMeshes(scene, toClip);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
   }
 
-  void drawFloor(const Scene& scene, const Mat4& toClip) const {
+  void drawFloor(const Scene& scene) const {
+    if (scene.floorRadius <= 0) return;
+    const Mat4 toClip = scene.projection * scene.view;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
@@ -289,7 +332,10 @@ class WebGlRenderer final : public Renderer {
     glDisable(GL_BLEND);
   }
 
-  void drawMeshes(const Scene& scene, const Mat4& toClip) {
+  void drawMeshes(const Scene& scene, std::span<const SceneMesh> meshes) {
+    const Mat4 toClip = scene.projection * scene.view;
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
     const Program& program = programs_.mesh;
     glUseProgram(program.name());
     glEnable(GL_CULL_FACE);
@@ -301,7 +347,7 @@ class WebGlRenderer final : public Renderer {
                 textured = uniform(program, "textured"), glow = uniform(program, "glow"),
                 area = uniform(program, "area"), second = uniform(program, "second"), split = uniform(program, "split"),
                 finish = uniform(program, "finish");
-    for (const SceneMesh& item : scene.meshes) {
+    for (const SceneMesh& item : meshes) {
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
@@ -320,11 +366,15 @@ class WebGlRenderer final : public Renderer {
     }
     glFrontFace(GL_CCW);
     glBindVertexArray(0);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
   }
 
   DrawnFrame drawn_;
   Programs programs_;
   FloorShadow shadow_;
+  KeptLayer layer_;
+  bool layered_ = false;  ///< this frame takes from the layer what stays as it is
   StillTarget still_, snapshot_;
   Scene stillScene_;           ///< whose solid view `still_` shows; what it points to may be gone
   bool smoothAnyway_ = false;  ///< the canvas itself is multisampled

@@ -61,11 +61,7 @@ void App::resize(const platform::CanvasSize& size) {
   ui_.canvasWidth = std::max(1.0, size.width);
   ui_.canvasHeight = std::max(1.0, size.height);
   ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
-  if (fontDpr_ != ui_.dpr) {
-    fontDpr_ = ui_.dpr;
-    fonts_ = buildFonts(fontFiles_, ui_.dpr);
-    renderer_->fontsChanged();
-  }
+  if (fontDpr_ != ui_.dpr) fontDpr_ = 0;
   layout();
   touch(2);
 }
@@ -74,10 +70,26 @@ void App::speak(words::Language language, std::vector<std::uint8_t> text, std::v
   words::speak(std::move(language));
   fontFiles_.scriptText = std::move(text);
   fontFiles_.scriptBold = std::move(bold);
-  fonts_ = buildFonts(fontFiles_, ui_.dpr);
-  renderer_->fontsChanged();
+  fontDpr_ = 0;
   announce();
   touch(3);
+}
+
+/// The letters of the canvas for its pixels and the language.
+void App::makeFonts() {
+  if (fontDpr_ == ui_.dpr) return;
+  fontDpr_ = ui_.dpr;
+  fonts_ = buildFonts(fontFiles_, ui_.dpr);
+  renderer_->fontsChanged();
+}
+
+void App::warmUp() {
+  if (lost_ || frames_ > 0) return;
+  if (fontDpr_ != ui_.dpr) {
+    makeFonts();
+  } else {
+    drawFrame();
+  }
 }
 
 void App::setDark(bool dark) {
@@ -195,7 +207,8 @@ void App::frame() {
   fly();
   fadeFlash();
   // Work goes on where nothing can be drawn: it can still be saved.
-  if (!lost_) drawFrame();
+  // Without a picture the start page lies over the canvas.
+  if (!lost_ && !studio_.document().pictures.empty()) drawFrame();
   watchWork();
   announce();
   announceControls();
@@ -209,6 +222,7 @@ bool App::moving() const {
 
 void App::drawFrame() {
   words::forgetMuch();
+  makeFonts();
   beginUi();
   panels::draw({env(), studio_.derived(), fonts_, sink_, partPictures_, mouth_});
   ImGui::Render();

@@ -43,6 +43,7 @@ class App final : public platform::Page, Hand {
   void wake() override;
   void resize(const platform::CanvasSize& size) override;
   void setDark(bool dark) override;
+  void warmUp() override;
   void pointer(const platform::PointerEvent& event) override;
   void wheel(const platform::WheelEvent& event) override;
   bool key(const platform::KeyEvent& event) override;
@@ -100,6 +101,7 @@ class App final : public platform::Page, Hand {
   void frameNewPart();
   void beginUi();
   void workAsked();
+  void makeFonts();
   void drawFrame();
   /// Something on the screen moves by itself, or work is under way.
   bool moving() const;
@@ -119,7 +121,7 @@ class App final : public platform::Page, Hand {
   std::unique_ptr<gl::Renderer> renderer_;
   platform::FontFiles fontFiles_;
   Fonts fonts_;
-  double fontDpr_ = 0;
+  double fontDpr_ = 0;  ///< pixels that `fonts_` are for; 0: they are to be made
   Studio studio_;
   Keeping keeping_{studio_};
   UiState ui_;

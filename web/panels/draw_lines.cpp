@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geometry/polyline.h"
 #include "web/panels/theme.h"
 
 namespace spineloft::panels {
+namespace {
+
+constexpr double kUnseen = 0.2;  // CSS pixels that a line may be off
+
+}  // namespace
 
 ImVec2 onCanvas(const app::UiState& ui, PicturePoint p) {
   const app::ClientPoint at = ui.pictureView.toClient(p, ui.layout.picture);
@@ -54,7 +60,9 @@ void picturePolyline(ImDrawList& list, const app::UiState& ui, std::span<const P
     return;
   }
   list.PathClear();
-  for (const PicturePoint p : points) list.PathLineTo(onCanvas(ui, p));
+  for (const std::size_t i : geometry::keptPoints(points, kUnseen / ui.pictureView.zoom)) {
+    list.PathLineTo(onCanvas(ui, points[i]));
+  }
   list.PathStroke(pen.colour, closed ? ImDrawFlags_Closed : ImDrawFlags_None, pen.width);
 }
 

@@ -79,8 +79,8 @@ void drawRibs(ImDrawList& list, const app::UiState& ui, const RibStyle& look) {
 
 void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points) {
   if (points.empty()) return;
-  picturePolyline(list, ui, points, {faded(kHalo, 235), 6.5f, LineStyle::Solid});
-  picturePolyline(list, ui, points, {kSpine, 3.2f, LineStyle::Solid});
+  picturePolyline(list, ui, points, {faded(kHalo, 235), 7.f, LineStyle::Solid});
+  picturePolyline(list, ui, points, {kSpine, 3.f, LineStyle::Solid});
   for (const PicturePoint end : {points.front(), points.back()}) {
     list.AddCircleFilled(onCanvas(ui, end), 5.f, kHalo, 20);
     list.AddCircleFilled(onCanvas(ui, end), 3.6f, kSpine, 20);
@@ -89,8 +89,9 @@ void drawSpine(ImDrawList& list, const app::UiState& ui, std::span<const Picture
 
 void outlineStroke(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> outline, bool selected,
                    bool lit) {
-  const float halo = selected ? 4.5f : lit ? 6.f : 3.f;
-  const float width = selected ? 2.2f : lit ? 2.f : 1.4f;
+  // Widths of whole pixels, which Dear ImGui draws with a third of the triangles.
+  const float halo = selected ? 5.f : lit ? 6.f : 4.f;
+  const float width = 2.f;
   const ImU32 glow = lit && !selected ? kGlow : faded(kHalo, selected ? 200 : 120);
   picturePolyline(list, ui, outline, {glow, halo}, true);
   picturePolyline(list, ui, outline, {selected || lit ? kDark : faded(kDark, 120), width}, true);

@@ -96,7 +96,7 @@ void profileTiles(const PanelEnv& env, const document::InflateRecipe& puff, floa
     const sections::SectionShape& shape = ready.isSoft() ? softSlice() : ready.slices.front().shape;
     const bool pressed = tile(env, {id.c_str(), name, name, size, key == now},
                               [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
-                                paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
+                                paintSection(list, {centre, radius}, shape, {ink, 0, 2.f});
                               });
     if (pressed && local && !ready.isSoft()) {
       env.sink.run(app::setPuffSlice, boned.part->id, picked, shape);

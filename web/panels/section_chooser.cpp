@@ -51,7 +51,7 @@ class Grid {
     const Text text = size_.y < 50 ? Text("") : name;
     const bool pressed =
         tile(env_, {id, text, name, size_, on}, [&](ImDrawList& list, ImVec2 centre, float radius, ImU32 ink) {
-          paintSection(list, {centre, radius}, shape, {ink, 0, 1.8f});
+          paintSection(list, {centre, radius}, shape, {ink, 0, 2.f});
         });
     if (ImGui::IsItemActivated()) env_.ui().sections.pressed = shape;
     return pressed;

@@ -170,7 +170,10 @@ EMSCRIPTEN_KEEPALIVE void spl_workControl(std::uint32_t id, double value) {
 EMSCRIPTEN_KEEPALIVE void spl_showControl(std::uint32_t id) {
   if (page() != nullptr) page()->showControl(id);
 }
-EMSCRIPTEN_KEEPALIVE int spl_warmUp() { return warmUp() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int spl_warmUp() {
+  if (page() != nullptr) page()->warmUp();
+  return warmUp() ? 1 : 0;
+}
 EMSCRIPTEN_KEEPALIVE void spl_cancelWork() {
   if (page() != nullptr) page()->cancelWork();
 }

@@ -78,6 +78,8 @@ class Page {
   virtual void resize(const CanvasSize& size) = 0;
   /// Light on a dark ground, or dark on a light one (false, as it begins).
   virtual void setDark(bool dark) = 0;
+  /// A part of what the first frame needs is made before it is wanted; called a few times while nobody waits.
+  virtual void warmUp() = 0;
   virtual void pointer(const PointerEvent& event) = 0;
   virtual void wheel(const WheelEvent& event) = 0;
   /// True when the page used the key.

@@ -1,6 +1,7 @@
 #include "web/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "engine/base/hash.h"
@@ -184,6 +185,9 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
   addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
 }
 
+/// The next of the sizes that the floor has, which are a twelfth apart: small changes of a part leave it alone.
+double floorSize(double least) { return std::exp2(std::ceil(8 * std::log2(least)) / 8); }
+
 /// The floor lies just below the lowest part.
 void addFloor(gl::Scene& scene) {
   if (scene.meshes.empty()) return;
@@ -200,9 +204,11 @@ void addFloor(gl::Scene& scene) {
   }
   if (!(low.x <= high.x)) return;
   const WorldPoint size = high - low;
-  scene.floorCentre = {(low.x + high.x) / 2, low.y - 0.002, (low.z + high.z) / 2};
-  scene.floorRadius = std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.78;
-  scene.floorHeadroom = std::max(size.y * 0.9, 0.05);
+  scene.floorRadius = floorSize(std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.75);
+  scene.floorHeadroom = floorSize(std::max(size.y * 0.85, 0.05));
+  const double step = scene.floorRadius / 16;
+  const auto middle = [&](double from, double to) { return std::round((from + to) / 2 / step) * step; };
+  scene.floorCentre = {middle(low.x, high.x), low.y - 0.002, middle(low.z, high.z)};
 }
 
 }  // namespace

@@ -100,11 +100,11 @@ function main(): void {
   );
   const ready = starting.then(async (started) => {
     connect(page, started);
-    warmUpWhenIdle(started);
     await speaking;
     await page.attach(started);
     engine = started;
     document.body.dataset.engine = 'ready';
+    warmUpWhenIdle(started);
   });
   installApi({ engine: () => engine, canvas, ready, page });
   ready.catch((failure: Failure) => showFailure(failure));
