@@ -5,7 +5,7 @@ import { openPage, startSite } from './browser.mjs';
 import { presetDir } from './cmake.mjs';
 import { root } from './paths.mjs';
 
-/** What a figure shows: [recipe, words below, whether the tool for bones is in hand]. */
+/** What a figure shows: [recipe, words below, whether the bones of its first part are shown]. */
 export const kSolidFigures = {
   'fig-puffs': [
     ['waved-disc', '1: a point and a waved slice'],
@@ -13,7 +13,7 @@ export const kSolidFigures = {
     ['one-smooth-bone', '12: one smooth bone', true],
     ['box', '13: a rectangle under a rectangle'],
     ['letters', '14: two letters and a frame'],
-    ['bones-of-outlines', '16: bones of outlines', true],
+    ['bones-of-outlines', '16: outlines; the bones of the first', true],
   ],
 };
 
@@ -32,14 +32,18 @@ export async function shootSolids(browser, folder) {
       const link = execFileSync(program, ['share', model], { encoding: 'utf8' }).trim();
       const { page, close } = await openPage(browser, site.url, { viewport: kWindow });
       await page.evaluate(
-        async ([text, ids]) => {
+        async ([text, ids, bones]) => {
           const { spineloft } = window;
           await spineloft.ready;
           await spineloft.openShareText(text);
           for (const id of ids) await spineloft.run(id);
+          if (bones) {
+            await spineloft.run('select-part', { id: 1 });
+            await spineloft.run('bone');
+          }
           await spineloft.idle();
         },
-        [link, [...kFromAside, ...(bones ? ['bone'] : [])]],
+        [link, kFromAside, bones],
       );
       await page.waitForTimeout(600); // until what turns is at rest
       await page.screenshot({ path: join(folder, `${name}.png`), clip: kViews });
