@@ -1,12 +1,14 @@
 // npm run figures: the pictures of assets/docs/accuracy.md, made anew from the cases of a data folder
-// ($SPINELOFT_DATA, or ../shared/data/public). Each is at most 150 KB.
+// ($SPINELOFT_DATA, or ../shared/data/public), and those of method-inflate.md, of recipes. Each is at most 150 KB.
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { buildSite } from './build.mjs';
 import { startBrowser } from './lib/browser.mjs';
 import { buildTargets, presetDir } from './lib/cmake.mjs';
 import { dataFolder, root } from './lib/paths.mjs';
 import { mainProgram, run, say, Stop } from './lib/run.mjs';
+import { kSolidFigures, shootSolids } from './lib/solid_figures.mjs';
 import { setup } from './setup.mjs';
 
 const kMostBytes = 150000;
@@ -71,17 +73,18 @@ async function drawOverlays(data, folder) {
   }
 }
 
-function pageOf(panels, folder) {
-  const figures = panels.map((panel) => {
-    const bytes = readFileSync(overlayPath(folder, panel)).toString('base64');
-    return `<figure><div><img src="data:image/png;base64,${bytes}"></div><figcaption>${panel[3]}</figcaption></figure>`;
+/** A grid of pictures, drawn through a filter, with words below: [path, words]. */
+function pageOf(panels, filter) {
+  const figures = panels.map(([path, words]) => {
+    const bytes = readFileSync(path).toString('base64');
+    return `<figure><div><img src="data:image/png;base64,${bytes}"></div><figcaption>${words}</figcaption></figure>`;
   });
   const columns = panels.length % 3 === 0 ? 3 : 4;
   return `<style>
     body { margin: 0; padding: 6px; display: grid; grid-template-columns: repeat(${columns}, 1fr); gap: 6px; background: #fff; font: 14px sans-serif; }
     figure { margin: 0; text-align: center; color: #222; }
     div { height: 270px; background: #111; display: grid; place-items: center; overflow: hidden; border-radius: 4px; }
-    img { max-width: 100%; max-height: 270px; filter: brightness(1.5); }
+    img { max-width: 100%; max-height: 270px; filter: ${filter}; }
     figcaption { padding: 3px; }
   </style>${figures.join('')}`;
 }
@@ -97,17 +100,29 @@ async function shoot(page) {
 
 await mainProgram(async () => {
   if (!dataFolder) throw new Stop('There is no data folder beside the project: set SPINELOFT_DATA.');
-  await setup(['native', 'node', 'browser']);
-  await buildTargets('native-release', ['spineloft_accuracy']);
+  await setup(['native', 'wasm', 'node', 'browser']);
+  await buildSite();
+  await buildTargets('native-release', ['spineloft_accuracy', 'spineloft']);
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-figures-'));
   const out = join(root, 'assets/docs/figures');
   mkdirSync(out, { recursive: true });
   const browser = await startBrowser();
   try {
     await drawOverlays(dataFolder, folder);
+    await shootSolids(browser, folder);
+    const overlays = Object.entries(kFigures).map(([name, panels]) => [
+      name,
+      panels.map((panel) => [overlayPath(folder, panel), panel[3]]),
+      'brightness(1.5)',
+    ]);
+    const solids = Object.entries(kSolidFigures).map(([name, panels]) => [
+      name,
+      panels.map(([recipe, words]) => [join(folder, `${recipe}.png`), words]),
+      'none',
+    ]);
     const page = await browser.newPage({ viewport: { width: 1000, height: 300 } });
-    for (const [name, panels] of Object.entries(kFigures)) {
-      await page.setContent(pageOf(panels, folder), { waitUntil: 'load' });
+    for (const [name, panels, filter] of [...overlays, ...solids]) {
+      await page.setContent(pageOf(panels, filter), { waitUntil: 'load' });
       writeFileSync(join(out, `${name}.jpg`), await shoot(page));
       say(`Written: assets/docs/figures/${name}.jpg`);
     }

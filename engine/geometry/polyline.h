@@ -77,13 +77,18 @@ std::vector<V> dropRepeats(std::span<const V> points, double tolerance) {
   return out;
 }
 
-/// From a point to a segment, which may be a point itself.
+/// The place of a segment, which may be a point itself, nearest to p.
 template <class V>
-double distanceToSegment(V p, V a, V b) {
+V nearestOnSegment(V p, V a, V b) {
   const V along = b - a;
   const double squared = dot(along, along);
   const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return distance(p, a + along * t);
+  return a + along * t;
+}
+/// From a point to a segment.
+template <class V>
+double distanceToSegment(V p, V a, V b) {
+  return distance(p, nearestOnSegment(p, a, b));
 }
 
 /// Marks as `kept` what is farther than `tolerance` from the straight way between what is kept (Douglas and Peucker

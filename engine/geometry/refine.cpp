@@ -148,8 +148,10 @@ std::uint32_t PlaneMesh::walk(SectionPoint p, std::uint32_t start) const {
   return kNone;
 }
 
-std::optional<std::uint32_t> PlaneMesh::find(SectionPoint p) const {
+std::optional<std::uint32_t> PlaneMesh::find(SectionPoint p, std::uint32_t near) const {
   if (triangles_.empty() || !isFinite(p)) return std::nullopt;
+  const std::uint32_t close = near == kNone ? kNone : walk(p, near);
+  if (close != kNone) return close;
   // From the last triangle near by, then from others round it: the rim may stand between it and p.
   const auto bucket = static_cast<std::ptrdiff_t>(bucketOf(p));
   const auto across = static_cast<std::ptrdiff_t>(across_);

@@ -36,8 +36,8 @@ class PlaneMesh {
   /// every triangle has a corner inside.
   void splitChords();
 
-  /// The triangle that holds p; none outside.
-  std::optional<std::uint32_t> find(SectionPoint p) const;
+  /// The triangle that holds p; none outside. `near`: a triangle from where p is not far, looked from first.
+  std::optional<std::uint32_t> find(SectionPoint p, std::uint32_t near = kNone) const;
 
   /// Flips every edge for which `better(a, b, c, d)` says that the edge c–d would be better than a–b;
   /// a and b are its ends, c lies to the left of a → b, d to the right. Only where both new triangles

@@ -157,25 +157,43 @@ RimDistance::Cell RimDistance::cellOf(SectionPoint p) const {
   return {step(p.x - low_.x, nx_), step(p.y - low_.y, ny_)};
 }
 
-void RimDistance::lookInCell(int x, int y, SectionPoint p, Nearest& best) const {
-  if (x < 0 || y < 0 || x >= nx_ || y >= ny_) return;
-  const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(x);
-  for (std::uint32_t e = first_[cell]; e < first_[cell + 1]; ++e) {
-    const double away = distanceToSegment(p, edges_[e].a, edges_[e].b);
-    if (away < best.distance) best = {away, edges_[e].from};
+/// The cells up to `reach` beside one, as far as they are not farther than the best place. The edges of cells side by
+/// side follow each other.
+void RimDistance::lookAround(Cell at, int reach, SectionPoint p, Nearest& best) const {
+  double squared = best.distance * best.distance;
+  const double slack = 1e-9 * cell_;  // of rounding, where an edge runs along cells
+  for (int y = std::max(0, at.y - reach); y <= std::min(ny_ - 1, at.y + reach); ++y) {
+    const double below = low_.y + y * cell_ - p.y, above = -below - cell_;
+    const double off = std::max({0.0, below, above}) - slack, most = best.distance + slack;
+    if (off > most) continue;
+    int from = std::max(0, at.x - reach), to = std::min(nx_ - 1, at.x + reach);
+    if (most < reach * cell_) {
+      const double half = std::sqrt(std::max(0.0, most * most - off * off)) + slack;
+      from = std::max(from, cellOf({p.x - half, p.y}).x);
+      to = std::min(to, cellOf({p.x + half, p.y}).x);
+    }
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(nx_);
+    const std::uint32_t last = first_[row + static_cast<std::size_t>(to) + 1];
+    for (std::uint32_t e = first_[row + static_cast<std::size_t>(from)]; e < last; ++e) {
+      const SectionPoint gap = p - nearestOnSegment(p, edges_[e].a, edges_[e].b);
+      if (dot(gap, gap) >= squared) continue;
+      squared = dot(gap, gap);
+      if (std::sqrt(squared) < best.distance) best = {std::sqrt(squared), edges_[e].from};
+    }
   }
 }
 
 RimDistance::Nearest RimDistance::nearest(SectionPoint p) const {
   const Cell at = cellOf(p);
   Nearest best{INFINITY, 0};
-  // Squares of cells round p, larger and larger: what lies beyond the square is farther than its half.
-  for (int r = 0; r <= std::max(nx_, ny_); ++r) {
-    for (int y = at.y - r; y <= at.y + r; ++y) {
-      const bool whole = y == at.y - r || y == at.y + r;
-      for (int x = at.x - r; x <= at.x + r; x += whole || r == 0 ? 1 : 2 * r) lookInCell(x, y, p, best);
-    }
-    if (best.distance <= r * cell_) break;
+  int reach = 0;
+  for (; reach <= 2 * std::max(nx_, ny_); reach = 2 * reach + 1) {
+    lookAround(at, reach, p, best);
+    if (best.distance < INFINITY) break;
+  }
+  // What lies beyond the square is farther than its half.
+  if (best.distance > reach * cell_) {
+    lookAround(at, static_cast<int>(std::min<double>(std::ceil(best.distance / cell_), nx_ + ny_)), p, best);
   }
   return best;
 }

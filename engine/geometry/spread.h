@@ -55,7 +55,7 @@ class RimDistance {
     int x, y;
   };
   Cell cellOf(SectionPoint p) const;
-  void lookInCell(int x, int y, SectionPoint p, Nearest& best) const;
+  void lookAround(Cell at, int reach, SectionPoint p, Nearest& best) const;
   SectionPoint low_{};
   double cell_ = 1;
   int nx_ = 1, ny_ = 1;

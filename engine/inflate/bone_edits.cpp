@@ -76,7 +76,7 @@ class Editor {
     const std::vector<std::uint32_t> reached = reached_;
     reached_.back() = branch.back();
     tidy();
-    if (isPlanar()) return true;
+    if (isSound()) return true;
     reached_ = reached;
     return restore(before);
   }
@@ -98,9 +98,10 @@ class Editor {
     for (std::size_t i = 0; i < share.size(); ++i) {
       if (share[i] <= 0) continue;
       skeleton_.points[i] = discAt(skeleton_.points[i].at + shift * share[i]);
-      if (!isInside(skeleton_.points[i].at)) return restore(before);
+      const SkeletonPoint& now = skeleton_.points[i];
+      if (!isInside(now.at) || now.radius < kAtRim * before.points[i].radius) return restore(before);
     }
-    return isPlanar() || restore(before);
+    return (isSound() && passesNoHole(before)) || restore(before);
   }
 
   /// What is held at points of the skeleton, and elsewhere changes as little as it can; `fades` to 0 over kFade half
@@ -375,11 +376,44 @@ class Editor {
     return false;
   }
 
-  bool isPlanar() const {
+  /// Whether a stretch between two points within crosses no outline.
+  bool isClear(const SkeletonPoint& a, const SkeletonPoint& b) const {
+    if (distance(a.at, b.at) < std::max(a.radius, b.radius)) return true;  // in a disc
+    std::size_t first = 0;
+    for (const std::size_t size : outlines_.sizes) {
+      for (std::size_t i = 0, j = size - 1; i < size; j = i++) {
+        if (crossing(a.at, b.at, outlines_.points[first + j], outlines_.points[first + i])) return false;
+      }
+      first += size;
+    }
+    return true;
+  }
+
+  /// Whether no branch was moved over a hole.
+  bool passesNoHole(const Skeleton& before) const {
+    for (const Branch& branch : skeleton_.branches) {
+      for (std::size_t i = 1; i < branch.size(); ++i) {
+        const auto now = [&](std::size_t k) { return skeleton_.points[branch[k]].at; };
+        const auto was = [&](std::size_t k) { return before.points[branch[k]].at; };
+        const std::array<SectionPoint, 4> swept{was(i - 1), was(i), now(i), now(i - 1)};
+        std::size_t first = outlines_.sizes[0];
+        for (std::size_t hole = 1; hole < outlines_.sizes.size(); first += outlines_.sizes[hole++]) {
+          if (geometry::holds(std::span<const SectionPoint>(swept), outlines_.points[first])) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// Whether it lies within the region and does not cross itself.
+  bool isSound() const {
     std::vector<std::array<SectionPoint, 2>> edges;
     for (const Branch& branch : skeleton_.branches) {
-      for (std::size_t i = 1; i < branch.size(); ++i)
-        edges.push_back({skeleton_.points[branch[i - 1]].at, skeleton_.points[branch[i]].at});
+      for (std::size_t i = 1; i < branch.size(); ++i) {
+        const SkeletonPoint &a = skeleton_.points[branch[i - 1]], &b = skeleton_.points[branch[i]];
+        if (!isClear(a, b)) return false;
+        edges.push_back({a.at, b.at});
+      }
     }
     for (std::size_t i = 0; i < edges.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
@@ -418,8 +452,8 @@ double scaleFor(double detail) {
 }
 
 Result<EditedSkeleton> editedSkeleton(const geometry::Contours& piece, const BoneEdits& edits,
-                                      std::span<const ProfileSlice> slices) {
-  Result<Skeleton> found = skeletonOf(piece, scaleFor(edits.detail));
+                                      std::span<const ProfileSlice> slices, double fineness) {
+  Result<Skeleton> found = skeletonOf(piece, scaleFor(edits.detail), fineness);
   if (!found) return found.failure();
   Editor editor(piece, std::move(found).value());
   AwakeEdits awake;

@@ -45,7 +45,7 @@ inline constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::ma
 /// the puff has at the point nearest to it, and passes along the skeleton into others: its share minimises ∫ f'², where
 /// a slice has no place ∫ f'² + (f/2R)², which fades into that one. Errors: those of skeletonOf.
 Result<EditedSkeleton> editedSkeleton(const geometry::Contours& piece, const BoneEdits& edits,
-                                      std::span<const ProfileSlice> slices = {});
+                                      std::span<const ProfileSlice> slices = {}, double fineness = 1);
 
 /// Whether an edit found its place in a piece. `kind`: a member of AwakeEdits.
 bool isAwake(std::span<const EditedSkeleton> pieces, std::vector<char> AwakeEdits::* kind, std::size_t number);

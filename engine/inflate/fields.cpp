@@ -20,12 +20,14 @@ namespace {
 using geometry::PlaneMesh;
 constexpr std::uint32_t kNone = PlaneMesh::kNone;
 
-constexpr double kPoints = 1000;     ///< of the mesh, about
-constexpr double kThin = 0.7;        ///< of the half width of what is thin: the spacing there
-constexpr double kMostOnRim = 3000;  ///< points of all outlines, about
-constexpr double kNearEnd = 1.5;     ///< spacings: ends nearer to the outline are left out
-constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
-constexpr int kRounds = 8;           ///< of floods
+constexpr double kPoints = 1000;      ///< of the mesh, about, times the square of the fineness
+constexpr double kThin = 0.7;         ///< of the half width of what is thin: the spacing there
+constexpr double kCoarseThin = 0.45;  ///< and of a mesh that may be coarser: its bones must not be left out as too near
+constexpr double kMostOnRim = 3000;   ///< points of all outlines, about
+constexpr double kNearEnd = 1.5;      ///< spacings: ends nearer to the outline are left out
+constexpr double kSmooth = 0.15;      ///< of the half width: how far creases are smoothed
+constexpr int kRounds = 8;            ///< of floods
+constexpr int kTries = 3;             ///< with a finer mesh each
 
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
@@ -346,37 +348,8 @@ void carry(const Diffusion& diffuse, const Number& number, std::vector<Over>& ov
   for (std::size_t i = 0; i < over.size(); ++i) number(over[i]) = values[i];
 }
 
-}  // namespace
-
-Fields withReach(Fields fields, double reach) {
-  fields.reach = reach;
-  std::vector<char> outlines(fields.s.size(), 0);
-  std::fill_n(outlines.begin(), fields.mesh.rim(), 1);
-  for (std::size_t i = 0; i < fields.s.size(); ++i) fields.s[i] = std::min(fields.s[i], 1 - fields.toRim[i] / reach);
-  const auto neighbours = neighboursOf(fields.mesh);
-  for (int round = 0; round < kRounds; ++round) {
-    const bool up = flood(neighbours, fields.onBone, 1, fields.s), down = flood(neighbours, outlines, -1, fields.s);
-    if (!up && !down) break;
-  }
-  return fields;
-}
-
-Over lerp(const Over& a, const Over& b, double t) {
-  Over out{std::lerp(a.factor, b.factor, t), {}};
-  for (std::size_t k = 0; k < kMostSlices; ++k) out.share[k] = std::lerp(a.share[k], b.share[k], t);
-  return out;
-}
-
-std::size_t bytesOf(const Fields& fields) {
-  const std::size_t points = fields.mesh.points().size(), triangles = fields.mesh.triangles().size();
-  constexpr std::size_t kOfPoint = sizeof(SectionPoint) + 4 * sizeof(double) + sizeof(Over) + 1, kOfTriangle = 32;
-  return points * kOfPoint + triangles * kOfTriangle;
-}
-
-Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton) {
-  const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints));
-  const double spacing =
-      std::max(std::min(even, kThin * thinness(skeleton)), geometry::perimeterOf(piece) / kMostOnRim);
+/// With points so far apart.
+Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleton, double spacing) {
   const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
   std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
   if (!boned) return Error::RegionTooFine;
@@ -428,6 +401,45 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
   }
   fields.s.resize(count);
   for (std::size_t i = 0; i < count; ++i) fields.s[i] = fields.onBone[i] ? 0 : std::sqrt(std::clamp(w[i], 0.0, 1.0));
+  return fields;
+}
+
+}  // namespace
+
+Fields withReach(Fields fields, double reach) {
+  fields.reach = reach;
+  std::vector<char> outlines(fields.s.size(), 0);
+  std::fill_n(outlines.begin(), fields.mesh.rim(), 1);
+  for (std::size_t i = 0; i < fields.s.size(); ++i) fields.s[i] = std::min(fields.s[i], 1 - fields.toRim[i] / reach);
+  const auto neighbours = neighboursOf(fields.mesh);
+  for (int round = 0; round < kRounds; ++round) {
+    const bool up = flood(neighbours, fields.onBone, 1, fields.s), down = flood(neighbours, outlines, -1, fields.s);
+    if (!up && !down) break;
+  }
+  return fields;
+}
+
+Over lerp(const Over& a, const Over& b, double t) {
+  Over out{std::lerp(a.factor, b.factor, t), {}};
+  for (std::size_t k = 0; k < kMostSlices; ++k) out.share[k] = std::lerp(a.share[k], b.share[k], t);
+  return out;
+}
+
+std::size_t bytesOf(const Fields& fields) {
+  const std::size_t points = fields.mesh.points().size(), triangles = fields.mesh.triangles().size();
+  constexpr std::size_t kOfPoint = sizeof(SectionPoint) + 4 * sizeof(double) + sizeof(Over) + 1, kOfTriangle = 32;
+  return points * kOfPoint + triangles * kOfTriangle;
+}
+
+Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton, double fineness) {
+  const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints)), thin = thinness(skeleton);
+  const double coarse = std::min(even / fineness, kCoarseThin * thin);
+  double spacing = std::max({std::min(even, kThin * thin), coarse, geometry::perimeterOf(piece) / kMostOnRim});
+  Result<Fields> fields = fieldsAt(piece, skeleton, spacing);
+  for (int attempt = 1; attempt < kTries && !fields; ++attempt) {
+    spacing /= 2;
+    fields = fieldsAt(piece, skeleton, spacing);
+  }
   return fields;
 }
 

@@ -37,8 +37,9 @@ struct Fields {
 /// s and H on about 1,000 points. s² has a Laplacian that is smoothed from that of d_S/(d_S + d_R), the distances to
 /// skeleton and outline, over 0.15 half widths, so that s is exact on discs, strips and rings, and s² has no crease
 /// elsewhere; H is the radius of the nearest point of the skeleton, and Over that of it, smoothed in the same way. Ends
-/// of the skeleton nearer to the outline than 1.5 spacings are left out. Errors: RegionTooFine.
-Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton);
+/// of the skeleton nearer to the outline than 1.5 spacings are left out. Where the skeleton cannot be edges of so
+/// coarse a mesh, a finer one is taken. `fineness`: of the spacing, see finenessFor. Errors: RegionTooFine.
+Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton, double fineness = 1);
 
 /// The same with an s that grows from 0 to 1 over the last `reach` pixels before the outline, wherever the region is so
 /// wide: min(s, 1 − d_R/reach), ≤ 0 within. A flood leaves it no extremum off skeleton and outline, so that for every

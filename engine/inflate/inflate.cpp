@@ -183,7 +183,7 @@ Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::S
   if (!isValid(params)) return Error::ValueOutOfRange;
   if (!(geometry::areaOf(contours) > 0)) return Error::RegionEmpty;
   if (params.profile.isSoft()) return inflateSoftly(contours, picture, params);
-  const Result<Interior> interior = interiorOf(contours, params.bones, params.profile.slices);
+  const Result<Interior> interior = interiorOf(contours, params.bones, params.profile.slices, params.points);
   if (!interior) return interior.failure();
   return inflateAlong(interior.value(), picture, params);
 }

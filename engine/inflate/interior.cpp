@@ -1,18 +1,25 @@
 #include "engine/inflate/interior.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/geometry/pieces.h"
 
 namespace spineloft::inflate {
 
+double finenessFor(int points) {
+  constexpr double kFullPoints = 2000, kLeastFineness = 0.4;
+  return std::clamp(points / kFullPoints, kLeastFineness, 1.0);
+}
+
 Result<Interior> interiorOf(const geometry::Contours& contours, const BoneEdits& edits,
-                            std::span<const ProfileSlice> slices) {
+                            std::span<const ProfileSlice> slices, int points) {
+  const double fineness = finenessFor(points);
   Interior out{geometry::piecesOf(contours), {}, {}};
   for (const geometry::Contours& piece : out.pieces) {
-    Result<EditedSkeleton> bones = editedSkeleton(piece, edits, slices);
+    Result<EditedSkeleton> bones = editedSkeleton(piece, edits, slices, fineness);
     if (!bones) return bones.failure();
-    Result<Fields> fields = fieldsOf(piece, bones.value().skeleton);
+    Result<Fields> fields = fieldsOf(piece, bones.value().skeleton, fineness);
     if (!fields) return fields.failure();
     out.bones.push_back(std::move(bones).value());
     out.fields.push_back(std::move(fields).value());

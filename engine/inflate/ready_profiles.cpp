@@ -25,13 +25,26 @@ Curve mirrored(Curve right) {
   return right;
 }
 
+/// Coordinates of ready slices have three decimals, which a link keeps in few characters; what is nearer is the same.
+constexpr double kSteps = 1000;
+double onGrid(double v) { return std::round(v * kSteps) / kSteps; }
+
+/// Whether two slices are the same to the grid: links and older files hold other digits.
+bool areAlike(const sections::SectionShape& a, const sections::SectionShape& b) {
+  const auto near = [](SectionPoint p, SectionPoint q) {
+    return std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) * kSteps <= 1;
+  };
+  const auto alike = [&](const Curve& one, const Curve& other) { return std::ranges::equal(one, other, near); };
+  return a.preset == b.preset && std::ranges::equal(a.contours, b.contours, alike);
+}
+
 /// A tube round the outline whose circle has its middle at x = `middle`, and its mirror image.
 void addTube(std::vector<Curve>& curves, double middle, double radius) {
   constexpr int kPoints = 24;
   Curve right, left;
   for (int i = 0; i < kPoints; ++i) {
     const double angle = 2 * std::numbers::pi * i / kPoints;
-    const SectionPoint p{middle + radius * std::cos(angle), radius * std::sin(angle)};
+    const SectionPoint p{onGrid(middle + radius * std::cos(angle)), onGrid(radius * std::sin(angle))};
     right.push_back(p);
     left.push_back({-p.x, p.y});
   }
@@ -84,7 +97,7 @@ std::string_view profileKey(const ProfileParams& profile) {
     const auto ready = readyProfile(name.key)->slices;
     if (ready.empty() || profile.isSoft()) {
       if (ready.empty() && profile.isSoft()) return name.key;
-    } else if (ready.front().shape == profile.slices.front().shape) {
+    } else if (areAlike(ready.front().shape, profile.slices.front().shape)) {
       return name.key;
     }
   }

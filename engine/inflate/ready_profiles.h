@@ -18,7 +18,7 @@ std::span<const ReadyProfile> readyProfiles();
 
 /// The profile with this key, which profileCurves takes for all sides. None for an unknown key.
 std::optional<ProfileParams> readyProfile(std::string_view key);
-/// The key of the ready profile with the first slice of `profile`; "own" when there is none.
+/// The key of the ready profile with the first slice of `profile`, to within 0.001; "own" when there is none.
 std::string_view profileKey(const ProfileParams& profile);
 
 }  // namespace spineloft::inflate

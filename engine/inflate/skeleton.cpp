@@ -11,7 +11,7 @@
 namespace spineloft::inflate {
 namespace {
 
-constexpr double kSamples = 600;    ///< of all outlines of a piece, about
+constexpr double kSamples = 600;    ///< of all outlines of a piece, about, times the fineness
 constexpr double kInside = 0.9;     ///< a circumcentre this share of its radius off the outline is a disc's
 constexpr double kSlack = 0.04;     ///< of the radius: tremor that prunes
 constexpr double kSameDisc = 0.99;  ///< an end grows on while its disc stays this large
@@ -90,7 +90,7 @@ class MedialAxis {
     const double twice = 2 * cross(b, c);
     const SectionPoint to{(c.y * dot(b, b) - b.y * dot(c, c)) / twice, (b.x * dot(c, c) - c.x * dot(b, b)) / twice};
     const SectionPoint centre = a + to;
-    if (isFinite(centre) && mesh.find(centre)) {
+    if (isFinite(centre) && mesh.find(centre, t)) {
       const double radius = rim.to(centre);
       if (radius >= kInside * norm(to)) return {centre, radius};
     }
@@ -347,14 +347,15 @@ Skeleton skeletonFrom(const std::vector<MedialAxis::Way>& ways) {
     if (!alone) branch.push_back(pointOf(to));
     skeleton.branches.push_back(std::move(branch));
   }
+  if (skeleton.branches.empty()) skeleton.branches.push_back({pointOf(nodes.of(ways.front().from))});
   return skeleton;
 }
 
 }  // namespace
 
-Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma) {
+Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma, double fineness) {
   const geometry::PlaneRegion samples =
-      geometry::planeRegion(geometry::sampleRegion(piece, geometry::perimeterOf(piece) / kSamples));
+      geometry::planeRegion(geometry::sampleRegion(piece, geometry::perimeterOf(piece) / (fineness * kSamples)));
   const PlaneMesh mesh(samples.points, samples.sizes);
   if (mesh.empty()) return Error::RegionTooFine;
   MedialAxis axis(mesh, geometry::RimDistance(samples.points, samples.sizes), samples.sizes.size() == 1);

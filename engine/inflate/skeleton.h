@@ -47,8 +47,9 @@ inline constexpr double kScale = 1.5;
 /// pruned by the discrete scale axis (Miklós, Giesen and Pauly 2010) from its cycles, or from its largest disc,
 /// outwards: what hangs on a kept disc of radius r goes when every disc t of it has distance ≤ σ (r − t) + 0.04 r. So
 /// it does not depend on size, place or sampling, and on tremor of a few hundredths of r hardly. Points lie within
-/// 0.15 r of each other, smoothed by Taubin's steps (1995). Same input, same result. Error: RegionTooFine.
-Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma = kScale);
+/// 0.15 r of each other, smoothed by Taubin's steps (1995). `fineness`: of the samples, see finenessFor. Same input,
+/// same result. Error: RegionTooFine.
+Result<Skeleton> skeletonOf(const geometry::Contours& piece, double sigma = kScale, double fineness = 1);
 
 /// Counts ends, forks and rings anew.
 void countNodes(Skeleton& skeleton);

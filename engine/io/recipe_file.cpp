@@ -62,12 +62,25 @@ Place faultIn(const Json& whole, const Faults& faults) {
   return {};
 }
 
+constexpr const char* kNoPairs = "a line is one list x, y, x, y … of numbers, not of pairs";
+
+/// Whether a list of three and more pairs of numbers, which no file of ours has, stands anywhere in it.
+bool holdsPairs(const Json& json) {
+  const auto isPair = [](const Json& one) {
+    return one.is_array() && one.size() == 2 && one[0].is_number() && one[1].is_number();
+  };
+  if (json.is_array() && json.size() > 2 && std::ranges::all_of(json, isPair)) return true;
+  return json.is_structured() && std::ranges::any_of(json, holdsPairs);
+}
+
 /// Says which value is at fault: "recipe.loft.twist is damaged or out of range".
 Failure wrongValue(const Json& whole, const Faults& faults) {
   std::string path;
-  for (const std::string& key : faultIn(whole, faults)) path += (path.empty() ? "" : ".") + key;
+  const Place place = faultIn(whole, faults);
+  for (const std::string& key : place) path += (path.empty() ? "" : ".") + key;
+  const bool pairs = !place.empty() && holdsPairs(whole[pointerTo(place, place.size())]);
   if (path.empty()) path = "a value";
-  return {Error::JsonInvalid, path + " is damaged or out of range"};
+  return {Error::JsonInvalid, path + (pairs ? std::string(": ") + kNoPairs : " is damaged or out of range")};
 }
 
 /// The first key of what was left over, with the keys around it; empty when nothing was.
@@ -151,6 +164,7 @@ Status checkOutline(const Document& board, Json& recipe) {
       std::vector<PicturePoint> points;
       return get(line, points);
     };
+    if (holdsPairs(*lines)) return {Error::JsonInvalid, std::string("recipe.region.contours: ") + kNoPairs};
     if (!lines->is_array() || !std::ranges::all_of(*lines, isLine)) {
       return {Error::JsonInvalid, "recipe.region.contours is no list of lists x, y, x, y … of numbers"};
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/hash.h"
+#include "engine/inflate/interior.h"
 #include "engine/pipeline/drawing_shape.h"
 
 namespace spineloft::pipeline {
@@ -239,6 +240,7 @@ InteriorKey interiorKey(const document::InflateRecipe& recipe, const document::P
   const auto& [height, sides, points, profile, bones] = inflate;
   mix(hasher, region);
   mix(hasher, bones);
+  hasher.number(inflate::finenessFor(points));
   for (const auto& [shape, at] : profile.slices) mixPlace(hasher, at);
   return InteriorKey{hasher.value()};
 }

@@ -33,7 +33,7 @@ ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::Picture
 ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of the skeleton and the fields of a puff with a slice: the region, the picture's size, the edits, the places of the
-/// slices. What the slices look like is not part of it.
+/// slices, how fine they are. What the slices look like is not part of it.
 InteriorKey interiorKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);
 
 /// Of a stack: the picture, the planes, the rail and how it is finished.

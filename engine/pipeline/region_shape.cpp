@@ -47,7 +47,8 @@ struct Make {
     }
     if (!inflate::isValid(params)) return Error::ValueOutOfRange;
     if (!interior) {
-      Result<inflate::Interior> made = inflate::interiorOf(contours.value(), params.bones, params.profile.slices);
+      Result<inflate::Interior> made =
+          inflate::interiorOf(contours.value(), params.bones, params.profile.slices, params.points);
       if (!made) return made.failure();
       interior = std::make_shared<const inflate::Interior>(std::move(made).value());
     }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { fails, readJson, works, workFolder } from '../support/cli.mjs';
+import { barFolder, fails, readJson, works, workFolder } from '../support/cli.mjs';
 
 const arc = (x, y, r, from, to, n = 60) =>
   Array.from({ length: n + 1 }, (_, i) => {
@@ -83,13 +83,26 @@ test('without a slice a puff is what it was, and a recipe comes back from its fi
 });
 
 test('what is wrong with a slice or an outline is named', (t) => {
-  const folder = workFolder(t);
+  const folder = barFolder(t);
   const refused = (contours, recipe, words) => {
     const file = write(folder, document(contours, recipe));
     assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words);
   };
   refused(disc, sliced({ preset: 'd' }), /profile/);
   refused(disc, sliced({ preset: 'round' }), /preset/);
+  const pairs = [
+    [100, 100],
+    [300, 100],
+    [200, 300],
+  ];
+  for (const contours of [pairs, [pairs]]) {
+    refused(contours, {}, /not of pairs/);
+    writeFileSync(folder.path('one.json'), JSON.stringify({ kind: 'puff', recipe: { region: { contours } } }));
+    assert.match(
+      fails(3, 'loft', folder.path('bar.png'), '--recipe', folder.path('one.json'), '--report', folder.path('r.json')),
+      /not of pairs/,
+    );
+  }
   refused(disc, sliced({ preset: 'circle' }, { follow: 2 }), /follow/);
   refused(
     disc,
@@ -103,6 +116,95 @@ test('what is wrong with a slice or an outline is named', (t) => {
         ],
       ],
     }),
-    /contours/,
+    /contours: .*not of pairs/,
   );
+});
+
+test('the recipes after Levet and Granier have the bones, pieces and handles of their figures', (t) => {
+  const folder = workFolder(t);
+  const file = (name) => new URL(`../../assets/docs/recipes/${name}.json`, import.meta.url).pathname;
+  const of = (name) => {
+    works('loft', '--recipe', file(name), '--report', folder.path('report.json'));
+    return [readJson(folder.path('report.json'))].flat();
+  };
+  const nodes = (parts) => parts.map(({ bones }) => [bones.ends, bones.rings]);
+  assert.deepEqual(nodes(of('waved-disc')), [[0, 0]]);
+  const [pieces] = of('three-piece-slice');
+  assert.deepEqual([pieces.mesh.shells, pieces.mesh.genus], [3, 2]);
+  assert.deepEqual(nodes(of('one-smooth-bone')), [[2, 0]]);
+  const [box] = of('box');
+  assert.ok(Math.abs(box.mesh.volume / (240 * 120 * 120) - 1) < 0.002, `${box.mesh.volume}`);
+  assert.deepEqual(
+    of('letters').map(({ mesh }) => mesh.genus),
+    [4, 0, 1],
+  );
+  assert.deepEqual(nodes(of('bones-of-outlines')), [
+    [5, 0],
+    [3, 0],
+    [2, 0],
+    [4, 0],
+    [4, 0],
+    [0, 2],
+  ]);
+});
+
+test('every outline, slice and bone of a list of bad ones makes a lawful solid or is refused with what is wrong', (t) => {
+  const folder = workFolder(t);
+  const round = { shape: { preset: 'circle' } };
+  const square = [100, 100, 300, 100, 300, 300, 100, 300];
+  const box = (left, right) => [left, -0.3, right, -0.3, right, 0.3, left, 0.3];
+  const rings = (count) =>
+    Array.from({ length: count }, (_, i) => [(0.05 + 0.9 * i) / count, (0.7 + 0.9 * i) / count])
+      .map(([left, right]) => [box(left, right), box(-right, -left)])
+      .flat();
+  const sound = {
+    'a line that crosses itself': [[[100, 100, 300, 300, 300, 100, 100, 300]]],
+    '500 pieces': [
+      Array.from({ length: 500 }, (_, i) =>
+        arc(10 + (i % 25) * 15.5, 10 + Math.floor(i / 25) * 19, 5, 0, (11 / 6) * Math.PI, 11),
+      ),
+    ],
+    '100,000 points': [[arc(200, 200, 150, 0, 2 * Math.PI, 99999)]],
+    'points in a line and twice': [[[100, 100, 150, 100, 200, 100, 200, 100, 300, 100, 300, 300, 300, 300, 100, 300]]],
+    'a spike of no width': [[[100, 100, 300, 100, 300, 300, 200, 300, 200, 390, 200, 300, 100, 300]]],
+    'a square': [[square]],
+    'an octagon': [[arc(200, 200, 100, 0, (7 / 4) * Math.PI, 7)]],
+    'a bone outside': [disc, { bones: { add: [[5, 5, 10, 10]] } }, 1],
+    'a slice where the outline is not': [
+      disc,
+      { profile: { slices: [round, { shape: { preset: 'square' }, at: [5, 5] }] } },
+      1,
+    ],
+    '16 curves': [disc, sliced({ contours: rings(8) })],
+    'a ring 0.001 wide': [disc, sliced({ contours: [box(0.5, 0.501), box(-0.501, -0.5)] })],
+    'an edge on one side': [
+      disc,
+      { puff: { sides: 'front' }, ...sliced({ preset: 'circle' }, { follow: 0.3, across: 'length', reach: 0.05 }) },
+    ],
+  };
+  for (const [what, [contours, more = {}, asleep = 0]] of Object.entries(sound)) {
+    const { mesh, bones } = reported(folder, contours, { ...sliced({ preset: 'circle' }), ...more });
+    assert.ok(mesh.lawful && mesh.volume > 0, what);
+    assert.equal(bones.asleep, asleep, what);
+  }
+  const refused = {
+    'no area': [[[100, 100, 300, 100, 200, 100]], {}, /too small/],
+    'one pixel': [[[100, 100, 101, 100, 101, 101, 100, 101]], {}, /too small/],
+    'a hole at the outline': [[square, [100.02, 101, 100.02, 299, 299, 299, 299, 101]], {}, /too tangled/],
+    lopsided: [disc, sliced({ contours: [[-1, 0, 0, -1, 0.5, 0, 0, 1]] }), /slices\.0\.shape/],
+    'touches itself': [disc, sliced({ contours: [[-1, -1, 1, -1, 0, 0, 1, 1, -1, 1, 0, 0]] }), /slices\.0\.shape/],
+    'on the axis': [disc, sliced({ contours: [[0, -1, 0, 0, 0, 1]] }), /slices\.0\.shape/],
+    'too many slices': [
+      disc,
+      { profile: { slices: Array.from({ length: 9 }, (_, i) => ({ ...round, at: [100 + 20 * i, 200] })) } },
+      /slices/,
+    ],
+    'too thick': [disc, { ...sliced({ preset: 'circle' }), bones: { heights: [[200, 200, 9]] } }, /heights/],
+    'half a place': [disc, { ...sliced({ preset: 'circle' }), bones: { drop: [200] } }, /drop/],
+    'too wide an edge': [disc, sliced({ preset: 'circle' }, { across: 'length', reach: 9 }), /reach/],
+  };
+  for (const [what, [contours, more, words]] of Object.entries(refused)) {
+    const file = write(folder, document(contours, { ...sliced({ preset: 'circle' }), ...more }));
+    assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words, what);
+  }
 });

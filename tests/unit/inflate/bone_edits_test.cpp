@@ -26,6 +26,7 @@ EditedSkeleton edited(const std::string& shape, const BoneEdits& edits) {
 }
 
 PicturePoint picture(SectionPoint p) { return {p.x, -p.y}; }
+SectionPoint up(PicturePoint p) { return {p.x, -p.y}; }
 
 /// A point with one neighbour.
 std::vector<std::uint32_t> endsOf(const Skeleton& skeleton) {
@@ -155,6 +156,31 @@ TEST_CASE("an end that is moved takes its branch along, and stays inside") {
     CHECK(same.awake.move == std::vector<char>{0});
     CHECK(same.skeleton == whole);
   }
+}
+
+TEST_CASE("a fork is not moved over a hole, nor a bone out of the region between two of its points") {
+  const Skeleton a = edited("A", {}).skeleton;
+  std::vector<int> degree(a.points.size(), 0);
+  for (const auto& branch : a.branches) {
+    for (std::size_t i = 1; i < branch.size(); ++i) ++degree[branch[i]], ++degree[branch[i - 1]];
+  }
+  const SectionPoint hole = up(namedShape("A").contours[1][0]);
+  int slept = 0, moved = 0;
+  for (std::uint32_t i = 0; i < degree.size(); ++i) {
+    if (degree[i] < 3) continue;
+    for (double way = 0.5; way < 3; way += 0.25) {
+      BoneEdits edits;
+      edits.move = {{picture(a.points[i].at), picture(lerp(a.points[i].at, hole, way))}};
+      const EditedSkeleton made = edited("A", edits);
+      (made.awake.move[0] ? moved : slept) += 1;
+      InflateParams params = roundPuff(edits);
+      const Result<mesh::TriMesh> mesh = inflateRegion(namedShape("A").contours, kPicture, params);
+      REQUIRE(mesh.ok());
+      CHECK(requireLawful(mesh.value()).genus == 1);
+    }
+  }
+  CHECK(slept > 3);
+  CHECK(moved > 0);
 }
 
 TEST_CASE("a height is its factor at its place and fades along the skeleton") {

@@ -10,6 +10,7 @@
 
 #include "engine/geometry/pieces.h"
 #include "engine/geometry/polyline.h"
+#include "engine/inflate/interior.h"
 #include "engine/inflate/poisson_height.h"
 #include "tests/support/named_shapes.h"
 #include "tests/support/outlines.h"
@@ -21,10 +22,10 @@ using namespace spineloft::testing;
 
 namespace {
 
-Fields fieldsIn(const geometry::Contours& piece) {
-  const Result<Skeleton> skeleton = skeletonOf(piece);
+Fields fieldsIn(const geometry::Contours& piece, double fineness = 1) {
+  const Result<Skeleton> skeleton = skeletonOf(piece, kScale, fineness);
   REQUIRE(skeleton.ok());
-  Result<Fields> fields = fieldsOf(piece, skeleton.value());
+  Result<Fields> fields = fieldsOf(piece, skeleton.value(), fineness);
   REQUIRE(fields.ok());
   return std::move(fields).value();
 }
@@ -67,6 +68,7 @@ TEST_CASE("every level between skeleton and outline is one closed line for every
       levels += 19;
     };
     count(calm);
+    for (const int points : {200, 900, 1500}) count(fieldsIn(shape.contours, finenessFor(points)));
     for (const std::uint64_t seed : testing::seeds(1, 4)) {
       count(fieldsIn(trembling(shape.contours, 0.02 * width, (seed % 2 ? 0.15 : 0.6) * width, seed)));
     }

@@ -27,11 +27,15 @@ geometry::Contours anyRegion(Rng& rng) {
   geometry::Contours outlines;
   if (rng.below(2) == 0) {
     const auto& shapes = namedShapes();
-    outlines = trembling(shapes[rng.below(static_cast<std::uint32_t>(shapes.size()))].contours, rng.uniform(0, 3),
-                         rng.uniform(15, 60), rng.below(1000));
+    const auto& calm = shapes[rng.below(static_cast<std::uint32_t>(shapes.size()))].contours;
+    const double tremor = rng.uniform(0, 3), wave = rng.uniform(15, 60);
+    outlines = trembling(calm, tremor, wave, rng.below(1000));
   } else {
     outlines = {blob(rng, {200, 200}, rng.uniform(40, 120), 220)};
-    if (rng.below(3) == 0) outlines.push_back(ellipse({200, 200}, rng.uniform(5, 14), rng.uniform(5, 14), 50));
+    if (rng.below(3) == 0) {
+      const double width = rng.uniform(5, 14), height = rng.uniform(5, 14);
+      outlines.push_back(ellipse({200, 200}, width, height, 50));
+    }
     if (rng.below(3) == 0) outlines.push_back(ellipse({380, 20}, 15, 15, 50));
   }
   Result<geometry::Contours> clean = geometry::cleanRegion(outlines, 0, {400, 400});
@@ -104,5 +108,6 @@ TEST_CASE("random regions, slices and edits of bones leave lawful solids with th
     crossing += mesh::selfCrossing(mesh.value()) ? 1 : 0;
   }
   MESSAGE(crossing << " of " << testing::rounds(40) << " go through themselves");
-  CHECK(crossing <= testing::rounds(40) / 10);
+  // Where all bones of a long arm are gone, its rows are far apart.
+  CHECK(crossing <= testing::rounds(40) / 16);
 }

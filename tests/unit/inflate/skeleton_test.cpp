@@ -11,6 +11,7 @@
 #include "engine/geometry/pieces.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/interior.h"
 #include "tests/support/named_shapes.h"
 #include "tests/support/outlines.h"
 #include "tests/support/rounds.h"
@@ -22,10 +23,10 @@ using namespace spineloft::testing;
 namespace {
 
 /// The skeleton of a region of one piece, with the laws of a graph in it checked.
-Skeleton skeletonIn(const geometry::Contours& contours, double sigma = kScale) {
+Skeleton skeletonIn(const geometry::Contours& contours, double sigma = kScale, double fineness = 1) {
   const auto pieces = geometry::piecesOf(contours);
   REQUIRE(pieces.size() == 1);
-  Result<Skeleton> made = skeletonOf(pieces[0], sigma);
+  Result<Skeleton> made = skeletonOf(pieces[0], sigma, fineness);
   REQUIRE(made.ok());
   const Skeleton& skeleton = made.value();
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -70,6 +71,9 @@ TEST_CASE("the skeletons of named shapes have the ends and rings that a person w
     const Skeleton skeleton = skeletonIn(shape.contours);
     CHECK(skeleton.ends == shape.ends);
     CHECK(skeleton.rings == shape.rings);
+    for (const int points : {200, 900, 1500}) {
+      CHECK(isAsNamed(skeletonIn(shape.contours, kScale, finenessFor(points)), shape));
+    }
   }
 }
 
@@ -176,6 +180,26 @@ TEST_CASE("skeletons of thin, sharp, tiny and random regions are graphs inside o
     REQUIRE(clean.ok());
     for (const auto& piece : geometry::piecesOf(clean.value())) skeletonIn(piece, rng.uniform(1.1, 3));
   }
+}
+
+TEST_CASE("of a fork whose branches are all shorter than what makes forks one a point is left") {
+  int forks = 0, points = 0;
+  for (double bulge = 0; bulge < 30; bulge += 0.25) {
+    Outline outline;
+    for (int i = 0; i < 220; ++i) {
+      const double a = 6.283185307179586 * i / 220, r = 100 + bulge * std::cos(3 * a);
+      outline.push_back({200 + r * std::cos(a), 200 + r * std::sin(a)});
+    }
+    const auto clean = geometry::cleanRegion({outline}, 0, {400, 400});
+    REQUIRE(clean.ok());
+    const Skeleton skeleton = skeletonIn(clean.value(), 1.1);
+    REQUIRE(!skeleton.points.empty());
+    CHECK((skeleton.ends == 0 || skeleton.ends == 2 || skeleton.ends == 3));
+    points += skeleton.points.size() == 1;
+    forks += skeleton.forks;
+  }
+  CHECK(points > 5);
+  CHECK(forks > 5);
 }
 
 TEST_CASE("pieces are outer outlines with their own holes") {

@@ -98,7 +98,7 @@ TEST_CASE("a slice beside one without a place is local: it fades along the skele
 TEST_CASE("a slice at a place that the outline lacks sleeps; of two pieces each has what is on it") {
   const geometry::Contours& region = namedShape("stadium").contours;
   const InflateParams away = puffOf({{ready("round")}, {ready("roof"), PicturePoint{200, 20}}});
-  const auto interior = interiorOf(region, {}, away.profile.slices);
+  const auto interior = interiorOf(region, {}, away.profile.slices, away.points);
   REQUIRE(interior.ok());
   CHECK(asleep(interior.value().bones) == 1);
   const Puffed made = puffed(region, away), plain = puffed(region, puffOf({{ready("round")}}));

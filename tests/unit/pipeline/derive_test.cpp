@@ -219,7 +219,7 @@ TEST_CASE("while the slice of a puff is dragged its skeleton and fields are thos
   Document document = ellipseDocument();
   const Region region{PictureId{1}, {{{40, 40}, {150, 40}, {150, 100}, {40, 100}}}, 0};
   InflateRecipe puff{region, {}};
-  puff.inflate.points = 600;
+  puff.inflate.points = 2500;
   sections::SectionShape slice;
   slice.contours = {{{-1, 0}, {0, -0.6}, {1, 0}, {0, 0.6}}};
   puff.inflate.profile.slices = {{slice}, {slice, PicturePoint{60, 70}}};
@@ -236,6 +236,7 @@ TEST_CASE("while the slice of a puff is dragged its skeleton and fields are thos
   CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.height = 2; }));
   CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.sides = inflate::InflateSides::Front; }));
   CHECK_FALSE(changes([](InflateRecipe& r) { r.inflate.points = 4000; }));
+  CHECK(changes([](InflateRecipe& r) { r.inflate.points = 900; }));
   CHECK(changes([](InflateRecipe& r) { r.inflate.profile.slices[1].at->x += 1; }));
   CHECK(changes([](InflateRecipe& r) { r.inflate.profile.slices.pop_back(); }));
   CHECK(changes([](InflateRecipe& r) { r.inflate.bones.detail = 0.7; }));

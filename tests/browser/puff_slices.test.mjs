@@ -1,0 +1,58 @@
+// What a child makes of a puff with a slice, by the mouse alone: a coin with a rim, a leaf with a ridge, a letter that is a
+// doughnut. An action is a press or a stroke.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { press, strokeAlong } from './support/hands.mjs';
+import { exported, idle, onPage, state, toClient, useSite } from './support/page.mjs';
+
+const kit = useSite();
+const kMostActions = 5; // 9 seconds for each of 45
+
+const round = (x, y, rx, ry, count = 40) =>
+  Array.from({ length: count + 1 }, (_, i) => [
+    x + rx * Math.cos((6.28 * i) / count),
+    y + ry * Math.sin((6.28 * i) / count),
+  ]);
+const leaf = [
+  ...Array.from({ length: 21 }, (_, i) => [200 + 30 * i, 380 - 130 * Math.sin((Math.PI * i) / 20)]),
+  ...Array.from({ length: 20 }, (_, i) => [770 - 30 * i, 380 + 130 * Math.sin((Math.PI * (i + 1)) / 20)]),
+];
+
+class Child {
+  actions = 0;
+  constructor(page) {
+    this.page = page;
+  }
+  async press(words) {
+    this.actions += 1;
+    await press(this.page, words);
+    await idle(this.page);
+  }
+  async draw(line) {
+    this.actions += 1;
+    await strokeAlong(this.page, 'mouse', await toClient(this.page, line));
+    await idle(this.page);
+  }
+}
+
+const tasks = {
+  'a coin with a rim': [round(510, 384, 190, 190), 'Bowl', 'bowl'],
+  'a leaf with a ridge': [leaf, 'Roof', 'roof'],
+  'a letter O that is a doughnut': [round(510, 384, 170, 230), 'Ring', 'ring'],
+};
+for (const [what, [line, words, slice]] of Object.entries(tasks)) {
+  test(what, () =>
+    onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
+      await page.getByRole('button', { name: 'Draw on paper' }).click();
+      await idle(page);
+      const child = new Child(page);
+      await child.press('Puff');
+      await child.draw(line);
+      await child.press(words);
+      const { parts } = await state(page);
+      assert.deepEqual([parts.length, parts[0].kind, parts[0].slice], [1, 'puff', slice]);
+      assert.ok(child.actions <= kMostActions, `${child.actions} actions`);
+      assert.ok((await exported(page, 'glb')).length > 1000);
+    }),
+  );
+}
