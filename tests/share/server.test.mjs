@@ -195,6 +195,32 @@ for (const { name, make, skip } of kStoreKits) {
       }
     });
 
+    test('a room stays for 14 days at most, and its join words for 90 minutes', async () => {
+      const { url } = first;
+      const secret = newId();
+      const put = async (path, body) => {
+        const headers = { Authorization: `Bearer ${secret}` };
+        if (body) headers['Content-Type'] = 'application/octet-stream';
+        const response = await fetch(`${url}${path}`, { method: 'PUT', headers, body });
+        return { status: response.status, ...(await response.json()) };
+      };
+      for (const days of ['15', '0', '-1', '1.5', 'x', '1e9', 'Infinity'])
+        assert.equal((await put(`rooms/${newId()}?days=${days}`)).status, 400, days);
+      const isIn = (expires, milliseconds) => Math.abs(expires - Date.now() - milliseconds) < 60_000;
+      const room = newId();
+      for (const [id, query] of [
+        [room, '?days=14'],
+        [newId(), ''],
+      ]) {
+        const made = await put(`rooms/${id}${query}`);
+        assert.equal(made.status, 201);
+        assert.ok(isIn(made.expires, 14 * 24 * 3_600_000), `${made.expires}`);
+      }
+      const named = await put(`rooms/${room}/words/${newId()}`, randomBytes(80));
+      assert.equal(named.status, 201);
+      assert.ok(isIn(named.expires, 90 * 60_000), `${named.expires}`);
+    });
+
     test('what expires is swept, by the clock of the server', async () => {
       const made = await new ShareServer(first.url).storeModel(randomBytes(10), 1);
       assert.equal(await first.store.sweep(Date.now() + 23 * 3_600_000), 0);
@@ -306,6 +332,39 @@ describe('whoever asks', () => {
     }
     assert.equal((await rawAsk(server.port, '/share/healthz')).status, 200);
     await until(() => closed === 50, 'the slow ones are cut off', 40_000);
+  });
+
+  test('a body that is sent letter by letter is ended in its time, and gives back its share of what is received', async () => {
+    const slow = await startServer(await kit.open(), {
+      times: { requestTimeout: 2000, headersTimeout: 1000, connectionsCheckingInterval: 100 },
+    });
+    const head = (length) =>
+      `PUT /share/v1/models/${newId()} HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer ${newId()}\r\n` +
+      `Content-Type: application/octet-stream\r\nContent-Length: ${length}\r\n\r\n`;
+    const put = () => code(new ShareServer(slow.url).storeModel(randomBytes(10), 1));
+    // Together they announce as much as may be received at one time.
+    const count = 8;
+    let closed = 0;
+    const sockets = Array.from({ length: count }, () => connect(slow.port, '127.0.0.1'));
+    const started = performance.now();
+    for (const socket of sockets) {
+      socket.on('error', () => undefined);
+      socket.on('close', () => (closed += 1)).resume();
+      socket.write(head((64 / count) * 2 ** 20));
+    }
+    const typing = setInterval(() => sockets.forEach((socket) => socket.writable && socket.write('x')), 100);
+    try {
+      await until(async () => (await put()) === 'Busy', 'the bodies fill what may be received');
+      assert.equal((await rawAsk(slow.port, '/share/healthz')).status, 200);
+      await until(() => closed === count, 'the slow bodies are ended', 40_000);
+      assert.ok(performance.now() - started >= 2000, 'not before their time');
+      assert.equal(await put(), null);
+      assert.deepEqual(slow.said, []);
+    } finally {
+      clearInterval(typing);
+      sockets.forEach((socket) => socket.destroy());
+      await slow.close();
+    }
   });
 
   test('a reader of events that takes nothing is cut off, and the memory that it costs is bounded', async () => {
