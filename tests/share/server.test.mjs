@@ -2,7 +2,7 @@
 // PostgreSQL.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { connect } from 'node:net';
+import { connect, createServer } from 'node:net';
 import { after, before, describe, test } from 'node:test';
 import { kStoreKits } from './support/stores.mjs';
 import { loadClient, rawAsk, startServer, until } from './support/server.mjs';
@@ -229,6 +229,79 @@ for (const { name, make, skip } of kStoreKits) {
     });
   });
 }
+
+/** Passes connections on to a server; `mute()`: of the streams of events that are open, nothing is passed on any more. */
+async function proxyTo(port) {
+  const streams = [];
+  const proxy = createServer((client) => {
+    const server = connect(port, '127.0.0.1');
+    const one = { isMute: false };
+    for (const [from, to] of [
+      [client, server],
+      [server, client],
+    ]) {
+      from.on('error', () => undefined);
+      from.on('close', () => to.destroy());
+    }
+    client.on('data', (bytes) => {
+      if (bytes.includes('/events')) streams.push(one);
+      server.write(bytes);
+    });
+    server.on('data', (bytes) => one.isMute || client.write(bytes));
+  });
+  await new Promise((resolve) => proxy.listen(0, '127.0.0.1', resolve));
+  return {
+    url: `http://127.0.0.1:${proxy.address().port}/share/v1/`,
+    streams,
+    mute: () => streams.forEach((one) => (one.isMute = true)),
+    close: () => proxy.close(),
+  };
+}
+
+test('a stream of events that has gone silent, as after a sleep, is opened again, and the same animal goes on', async () => {
+  const kit = kStoreKits[0].make();
+  const server = await startServer(await kit.open(), { limits: { beatMs: 50 } });
+  const proxy = await proxyTo(server.port);
+  const heard = listener();
+  let stop;
+  try {
+    const { key, teacher } = await classOf(server.url, 2);
+    const seat = { id: newId(), secret: newId() };
+    const pupil = new Room(new ShareServer(proxy.url), { id: key.id, key: key.key }, seat);
+    const number = await pupil.sit();
+    assert.equal(number, 3);
+    await pupil.post({ type: 'seat', animal: 'snail', number });
+    const silence = 1500;
+    stop = pupil.follow(heard, { of: 'all', silence });
+    await until(() => heard.posts.length === 1, 'the own post');
+    // Nothing happens, and the beats keep the stream open.
+    await new Promise((done) => setTimeout(done, 2.5 * silence));
+    assert.equal(proxy.streams.length, 1);
+    proxy.mute();
+    const missed = await teacher.post({ type: 'spotlight', card: null });
+    await until(() => heard.posts.length === 2, 'what was posted meanwhile');
+    assert.equal(heard.posts[1].post, missed);
+    assert.equal(proxy.streams.length, 2);
+    assert.equal(await pupil.sit(), number);
+    const next = await pupil.post({ type: 'model' });
+    await until(() => heard.posts.length === 3, 'what the pupil posts then');
+    assert.deepEqual([heard.posts[2].post, heard.posts[2].seat], [next, seat.id]);
+    const room = new ClassRoom();
+    for (const listed of heard.posts) {
+      const { message, bytes } = await teacher.read(listed.post, listed.seat);
+      room.take(listed, message, bytes);
+    }
+    assert.deepEqual(
+      [...room.pupils.values()].map(({ animal }) => animal),
+      ['snail'],
+    );
+  } finally {
+    stop?.();
+    await server.close();
+    proxy.close();
+    kit.close();
+  }
+});
 
 describe('whoever asks', () => {
   let kit, server;
