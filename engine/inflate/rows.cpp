@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/geometry/corners.h"
+#include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/spread.h"
 #include "engine/inflate/boned_mesh.h"
@@ -186,6 +187,15 @@ class Joining {
   std::size_t n_, m_, reach_;
 };
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// A row that is a border of a strip.
+struct Strip {
+  const Row& line;
+  const Ids& ids;
+  const ProfileRow& row;
+};
+
 class Builder {
  public:
   Builder(const Fields& fields, const RowParams& params, mesh::TriMesh& mesh)
@@ -208,18 +218,29 @@ class Builder {
     for (const LevelPoint& p : line) ids.push_back(add(p, row));
     return ids;
   }
-  /// Triangles between two closed rows that run the same way, outside on the right of the way from a to b.
-  void join(const Ids& a, const Ids& b) {
-    const auto [startA, startB] = closest(a, b);
-    const Ring one = ring(a, startA), other = ring(b, startB);
-    constexpr double kNear = 0.1;
-    Joining(one, other, kNear).run([&](std::size_t i, std::size_t k, bool alongB) {
-      if (alongB) {
-        mesh_.triangles.push_back({one.ids[i], other.ids[k], other.ids[k + 1]});
-      } else {
-        mesh_.triangles.push_back({one.ids[i + 1], one.ids[i], other.ids[k]});
-      }
-    });
+  /// Triangles between two closed rows that run the same way, outside on the right of the way from a to b: joined in
+  /// order; where that would fold them, with points of the surface in between. False where the rows cross and should
+  /// not.
+  bool join(const Strip& a, const Strip& b) {
+    constexpr double kNear = 0.1, kAny = 1;
+    constexpr double kSame = 1e-6;
+    const auto same = [](SectionPoint p, SectionPoint q) { return std::abs(p.x - q.x) < kSame; };
+    const bool upright = std::ranges::equal(a.row, b.row, same);  // in the plane one line
+    for (const double reach : {kNear, kAny}) {
+      const Triangles made = joined(a.ids, b.ids, reach);
+      if (!upright && folds(made)) continue;
+      mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
+      return true;
+    }
+    if (between(a, b)) return true;
+    const Triangles made = joined(a.ids, b.ids, kNear);
+    mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
+    bool in = false, out = false;
+    for (std::size_t k = 0; k < a.row.size(); ++k) {
+      in |= b.row[k].x < a.row[k].x - kSame;
+      out |= b.row[k].x > a.row[k].x + kSame;
+    }
+    return in && out;
   }
 
   /// Triangles from the rows of one level, one an outline, to the row on the axis; they face up or down.
@@ -275,6 +296,112 @@ class Builder {
     return out;
   }
   const ModelPoint& at(std::uint32_t id) const { return points_[id - first_]; }
+  Triangles joined(const Ids& a, const Ids& b, double reach) const {
+    const auto [startA, startB] = closest(a, b);
+    const Ring one = ring(a, startA), other = ring(b, startB);
+    Triangles out;
+    Joining(one, other, reach).run([&](std::size_t i, std::size_t k, bool alongB) {
+      if (alongB) {
+        out.push_back({one.ids[i], other.ids[k], other.ids[k + 1]});
+      } else {
+        out.push_back({one.ids[i + 1], one.ids[i], other.ids[k]});
+      }
+    });
+    return out;
+  }
+  /// Whether some of them lie the other way round in the plane than most.
+  bool folds(const Triangles& made) const {
+    double up = 0, down = 0;
+    for (const auto& [a, b, c] : made) {
+      const ModelPoint one = at(b) - at(a), other = at(c) - at(a);
+      const double turn = one.x * other.y - one.y * other.x;
+      (turn > 0 ? up : down) += std::abs(turn);
+    }
+    constexpr double kRounding = 1e-9;
+    return std::min(up, down) > kRounding * std::max(up, down);
+  }
+  /// The strip between two rows that lie apart in the plane, with points of its own. False when they do not.
+  bool between(const Strip& a, const Strip& b) {
+    // Rows have the outline on their left: the higher one holds more where they run clockwise, else less.
+    const auto area = [](const Row& line) {
+      std::vector<SectionPoint> at;
+      for (const LevelPoint& p : line) at.push_back(p.at);
+      return geometry::signedArea(std::span<const SectionPoint>(at));
+    };
+    const bool outwards = area(b.line) < area(a.line);
+    const Strip &low = outwards ? a : b, &high = outwards ? b : a;
+    // Rows have the outline on their left: the strip is to the left of the lower, to the right of the higher.
+    geometry::PlaneRegion rim;
+    Ids corners;
+    const auto put = [&](const Strip& strip, bool turned) {
+      std::vector<SectionPoint> line;
+      for (const LevelPoint& p : strip.line) line.push_back(p.at);
+      Ids ids = strip.ids;
+      if (turned) std::ranges::reverse(line), std::ranges::reverse(ids);
+      const bool outer = geometry::signedArea(std::span<const SectionPoint>(line)) > 0;
+      rim.points.insert(outer ? rim.points.begin() : rim.points.end(), line.begin(), line.end());
+      corners.insert(outer ? corners.begin() : corners.end(), ids.begin(), ids.end());
+      rim.sizes.insert(outer ? rim.sizes.begin() : rim.sizes.end(), line.size());
+    };
+    put(low, false);
+    put(high, true);
+    geometry::PlaneMesh plane(rim.points, rim.sizes);
+    std::size_t borders = 0;
+    for (std::uint32_t h = 0; h < 3 * plane.triangles().size(); ++h)
+      borders += plane.twin(h) == geometry::PlaneMesh::kNone;
+    if (borders != rim.points.size()) return false;  // they cross
+    spread(plane, rim.sizes[0]);
+    for (std::size_t i = plane.rim(); i < plane.points().size(); ++i) {
+      const SectionPoint p = plane.points()[i];
+      const LevelPoint there = within(p, {});
+      double from = 0, to = 0;
+      for (std::size_t k = 0; k < low.row.size(); ++k) {
+        from += there.over.share[k] * low.row[k].x;
+        to += there.over.share[k] * high.row[k].x;
+      }
+      constexpr double kApart = 1e-3;
+      const double way = to > from ? std::clamp((shareAt(p) - from) / (to - from), kApart, 1 - kApart) : 0.5;
+      ProfileRow row;
+      for (std::size_t k = 0; k < low.row.size(); ++k) row.push_back(lerp(low.row[k], high.row[k], way));
+      corners.push_back(add(there, row));
+    }
+    if (std::getenv("DBG")) {
+      int open = 0; for (std::uint32_t h = 0; h < 3 * plane.triangles().size(); ++h) open += plane.twin(h) == geometry::PlaneMesh::kNone;
+      std::printf("BETWEEN rows %zu %zu area %.1f %.1f levels %.3f %.3f slices %zu z %.3f %.3f points %zu rim %zu tris %zu open %d out %d\n", a.line.size(), b.line.size(), area(a.line), area(b.line), a.row[0].x, b.row[0].x, a.row.size(), a.row[0].y, b.row[0].y, plane.points().size(), plane.rim(), plane.triangles().size(), open, outwards);
+    }
+    for (const auto& [i, k, l] : plane.triangles()) {
+      mesh_.triangles.push_back({corners[i], corners[outwards ? l : k], corners[outwards ? k : l]});
+    }
+    return true;
+  }
+  /// Points where edges are long, or join two corners of one row.
+  void spread(geometry::PlaneMesh& plane, std::size_t first) const {
+    constexpr int kRounds = 8;
+    constexpr double kLong = 2;  // spacings
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<SectionPoint> middles;
+      for (std::uint32_t h = 0; h < 3 * plane.triangles().size(); ++h) {
+        const std::uint32_t a = plane.triangles()[h / 3][h % 3], b = plane.triangles()[h / 3][(h + 1) % 3];
+        if (a > b || plane.twin(h) == geometry::PlaneMesh::kNone) continue;
+        const bool chord = b < plane.rim() && (a < first) == (b < first);
+        const SectionPoint p = plane.points()[a], q = plane.points()[b];
+        if (chord || distance(p, q) > kLong * params_.spacing) middles.push_back((p + q) / 2);
+      }
+      if (middles.empty()) return;
+      for (const SectionPoint p : middles) plane.insert(p);
+    }
+    plane.splitChords();
+  }
+  double shareAt(SectionPoint p) const {
+    const auto found = fields_.mesh.find(p);
+    if (!found) return 1;
+    const auto& [a, b, c] = fields_.mesh.triangles()[*found];
+    const auto& points = fields_.mesh.points();
+    const double area = cross(points[b] - points[a], points[c] - points[a]);
+    const double atC = cross(points[b] - points[a], p - points[a]) / area;
+    const double atB = cross(p - points[a], points[c] - points[a]) / area;
+    return fields_.s[a] * (1 - atB - atC) + fields_.s[b] * atB + fields_.s[c] * atC;
+  }
   Ring ring(const Ids& row, std::size_t start) const {
     Ring out;
     for (std::size_t i = 0; i <= row.size(); ++i) {
@@ -314,24 +441,27 @@ double thicknessOf(double width, const RowParams& params) {
   return std::pow(width, params.follow) * std::pow(params.widest, 1 - params.follow);
 }
 
-Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
-               const RowParams& params, mesh::TriMesh& mesh) {
+namespace {
+
+enum class Made { Whole, RowsCross, TooFine };
+
+/// With points so far apart along rows.
+Made rowsAt(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves, const RowParams& params,
+            double spacing, mesh::TriMesh& mesh) {
   constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
   const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
-  // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
-  constexpr double kOfEdge = 0.5;  // of its width
-  const double edge = fields.reach > 0 ? kOfEdge * fields.reach : params.spacing;
-  RowTable table(fields, piece, std::min(edge, params.spacing));
+  RowTable table(fields, piece, spacing);
   Builder builder(fields, params, mesh);
   const std::size_t outlines = fields.sizes.size();
   const auto onAxis = [](const ProfileRow& row) { return row.front().x == 0; };
+  Made made = Made::Whole;
   for (const std::vector<ProfileCurve>& curve : curves) {
     const std::vector<ProfileRow> rows = rowsOf(curve, step);
     std::vector<std::vector<Ids>> ids(rows.size());  // by row and outline
     for (std::size_t j = 0; j < rows.size(); ++j) {
       if (onAxis(rows[j])) continue;
       const std::vector<Row>& lines = table.at(rows[j]);
-      if (lines.size() != outlines) return Error::RegionTooFine;
+      if (lines.size() != outlines) return Made::TooFine;
       for (const Row& line : lines) ids[j].push_back(builder.add(line, rows[j]));
     }
     const std::size_t strips = rows.size() - (curve.front().closed ? 0 : 1);
@@ -340,13 +470,37 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
       const bool begins = onAxis(rows[j]), ends = onAxis(rows[next]);
       if (begins || ends) {
         const std::size_t row = begins ? next : j;
-        if (!builder.close(table.at(rows[row]), ids[row], rows[begins ? j : next], ends)) return Error::RegionTooFine;
+        if (!builder.close(table.at(rows[row]), ids[row], rows[begins ? j : next], ends)) return Made::TooFine;
         continue;
       }
-      for (std::size_t o = 0; o < outlines; ++o) builder.join(ids[j][o], ids[next][o]);
+      const std::vector<Row>&lines = table.at(rows[j]), &others = table.at(rows[next]);
+      for (std::size_t o = 0; o < outlines; ++o) {
+        const bool joined = builder.join({lines[o], ids[j][o], rows[j]}, {others[o], ids[next][o], rows[next]});
+        if (!joined) made = Made::RowsCross;
+      }
     }
   }
-  return Done{};
+  return made;
+}
+
+}  // namespace
+
+Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
+               const RowParams& params, mesh::TriMesh& mesh) {
+  // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
+  constexpr double kOfEdge = 0.5;  // of its width
+  constexpr int kTries = 4;
+  double spacing = fields.reach > 0 ? std::min(kOfEdge * fields.reach, params.spacing) : params.spacing;
+  const std::size_t points = mesh.positions.size(), triangles = mesh.triangles.size();
+  for (int attempt = 1;; ++attempt) {
+    const Made made = rowsAt(fields, piece, curves, params, spacing, mesh);
+    if (made == Made::TooFine) return Error::RegionTooFine;
+    if (made == Made::Whole || attempt == kTries) return Done{};
+    mesh.positions.resize(points);
+    mesh.uv.resize(points);
+    mesh.triangles.resize(triangles);
+    spacing /= 2;
+  }
 }
 
 }  // namespace spineloft::inflate
