@@ -226,6 +226,10 @@ class Builder {
     constexpr double kSame = 1e-6;
     const auto same = [](SectionPoint p, SectionPoint q) { return std::abs(p.x - q.x) < kSame; };
     const bool upright = std::ranges::equal(a.row, b.row, same);  // in the plane one line
+    if (upright && a.ids.size() == b.ids.size()) {
+      wall(a.ids, b.ids);
+      return true;
+    }
     for (const double reach : {kNear, kAny}) {
       const Triangles made = joined(a.ids, b.ids, reach);
       if (!upright && folds(made)) continue;
@@ -309,6 +313,20 @@ class Builder {
     });
     return out;
   }
+  /// Between rows of which each point is over one of the other: the shorter way across each quadrangle.
+  void wall(const Ids& a, const Ids& b) {
+    const auto away = [&](std::uint32_t p, std::uint32_t q) { return dot(at(p) - at(q), at(p) - at(q)); };
+    for (std::size_t i = a.size(); i-- > 0;) {
+      const std::size_t k = (i + 1) % a.size();
+      if (away(a[k], b[i]) < away(a[i], b[k])) {
+        mesh_.triangles.push_back({a[k], b[i], b[k]});
+        mesh_.triangles.push_back({a[k], a[i], b[i]});
+      } else {
+        mesh_.triangles.push_back({a[k], a[i], b[k]});
+        mesh_.triangles.push_back({a[i], b[i], b[k]});
+      }
+    }
+  }
   /// Whether some of them lie the other way round in the plane than most.
   bool folds(const Triangles& made) const {
     double up = 0, down = 0;
@@ -377,7 +395,7 @@ class Builder {
   /// Points where edges are long, or join two corners of one row.
   void spread(geometry::PlaneMesh& plane, std::size_t first) const {
     constexpr int kRounds = 8;
-    constexpr double kLong = 2;  // spacings
+    constexpr double kLong = 1.25;  // spacings
     for (int round = 0; round < kRounds; ++round) {
       std::vector<SectionPoint> middles;
       for (std::uint32_t h = 0; h < 3 * plane.triangles().size(); ++h) {
