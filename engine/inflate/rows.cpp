@@ -5,128 +5,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <ranges>
 #include <utility>
 #include <vector>
 
-#include "engine/geometry/corners.h"
-#include "engine/geometry/polyline.h"
-#include "engine/geometry/spread.h"
 #include "engine/inflate/boned_mesh.h"
+#include "engine/inflate/row_lines.h"
 
 namespace spineloft::inflate {
 namespace {
 
-constexpr double kOutline = 1 - 1e-9;  ///< s of the outline itself
-constexpr double kOfWidth = 0.25;      ///< of the half width, between points of a row
-constexpr double kOfAway = 1.2;        ///< of the distance to the skeleton
-constexpr double kLeastInRow = 6;
-
-using Row = std::vector<LevelPoint>;
 using Ids = std::vector<std::uint32_t>;
-
-/// The closed line with points so far apart as the place allows, even between corners, which stay.
-Row resampled(const Row& line, double spacing) {
-  const std::size_t n = line.size();
-  std::vector<SectionPoint> closed;
-  std::vector<double> steps(n + 1, 0.0);
-  double finest = spacing;
-  for (std::size_t i = 0; i < n; ++i) {
-    const LevelPoint &a = line[i], &b = line[(i + 1) % n];
-    const double most =
-        std::max(1e-9, std::min({spacing, kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2}));
-    steps[i + 1] = steps[i] + distance(a.at, b.at) / most;
-    finest = std::min(finest, most);
-    closed.push_back(a.at);
-  }
-  closed.push_back(closed.front());
-  // Corners by the way along the line, then by steps.
-  const std::vector<double> s = geometry::arcLengths(std::span<const SectionPoint>(closed));
-  std::vector<double> corners =
-      geometry::cornersOf(std::span<const SectionPoint>(closed), std::span<const double>(s), finest);
-  for (double& corner : corners) {
-    corner = steps[static_cast<std::size_t>(std::ranges::lower_bound(s, corner) - s.begin())];
-  }
-  if (corners.empty()) corners.push_back(0);
-  const auto pieces = static_cast<double>(corners.size());
-  Row out;
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    const double from = corners[c], to = c + 1 < corners.size() ? corners[c + 1] : corners[0] + steps[n];
-    const auto count = static_cast<int>(std::ceil(std::max(to - from, kLeastInRow / pieces) - 1e-9));
-    for (int k = 0; k < count; ++k) {
-      const double at = std::fmod(from + (to - from) * k / count, steps[n]);
-      const auto after = std::ranges::upper_bound(steps, at);
-      const std::size_t i = std::min(static_cast<std::size_t>(after - steps.begin()), n) - 1;
-      const LevelPoint &a = line[i], &b = line[(i + 1) % n];
-      const double span = steps[i + 1] - steps[i], way = span > 0 ? std::clamp((at - steps[i]) / span, 0.0, 1.0) : 0;
-      out.push_back(lerp(a, b, way));
-    }
-  }
-  return out;
-}
-
-/// The rows of one piece: for each outline the line of a level, once for each level, which every slice has its own of.
-class RowTable {
- public:
-  RowTable(const Fields& fields, const geometry::Contours& piece, double spacing)
-      : fields_(fields), piece_(piece), spacing_(spacing) {}
-
-  /// One row an outline; empty where the level has not one line an outline.
-  const std::vector<Row>& at(const ProfileRow& row) {
-    std::vector<double> levels;
-    for (const SectionPoint p : row) levels.push_back(p.x);
-    const auto found = rows_.find(levels);
-    if (found != rows_.end()) return found->second;
-    const bool outline = std::ranges::all_of(levels, [](double level) { return level >= kOutline; });
-    std::vector<Row> made = outline ? outlines() : traced(levels);
-    return rows_[std::move(levels)] = std::move(made);
-  }
-
- private:
-  std::vector<Row> traced(std::span<const double> levels) const {
-    std::vector<Row> rows(fields_.sizes.size());
-    for (LevelLine& line : levelLines(fields_, levels)) {
-      if (!rows[line.side].empty()) return {};
-      rows[line.side] = resampled(line.points, spacing_);
-    }
-    const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
-    return whole ? rows : std::vector<Row>{};
-  }
-  /// The outlines themselves; H is that of the nearest place on the rim of the fields.
-  std::vector<Row> outlines() const {
-    const auto& points = fields_.mesh.points();
-    const geometry::RimDistance rim(std::span<const SectionPoint>(points).first(fields_.mesh.rim()), fields_.sizes);
-    std::vector<std::uint32_t> next(fields_.mesh.rim());
-    std::uint32_t first = 0;
-    for (const std::size_t size : fields_.sizes) {
-      for (std::uint32_t i = 0; i < size; ++i) next[first + i] = first + (i + 1) % static_cast<std::uint32_t>(size);
-      first += static_cast<std::uint32_t>(size);
-    }
-    std::vector<Row> rows;
-    for (const auto& outline : geometry::sampleRegion(piece_, std::min(spacing_, fields_.spacing))) {
-      Row row;
-      for (const PicturePoint p : outline) {
-        const SectionPoint at{p.x, -p.y};
-        const std::uint32_t a = rim.nearest(at).edge, b = next[a];
-        const SectionPoint along = points[b] - points[a];
-        const double share = std::clamp(dot(at - points[a], along) / std::max(1e-12, dot(along, along)), 0.0, 1.0);
-        LevelPoint there = lerp(levelPointOf(fields_, a), levelPointOf(fields_, b), share);
-        there.at = at;
-        row.push_back(there);
-      }
-      std::ranges::reverse(row);  // the region on the right
-      rows.push_back(resampled(row, spacing_));
-    }
-    return rows;
-  }
-
-  const Fields& fields_;
-  const geometry::Contours& piece_;
-  double spacing_;
-  std::map<std::vector<double>, std::vector<Row>> rows_;
-};
 
 /// A closed row from a place of it on round to that again.
 struct Ring {
@@ -186,10 +76,55 @@ class Joining {
   std::size_t n_, m_, reach_;
 };
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// A row that is a border of a strip.
+struct Strip {
+  std::span<const LevelPoint> line;
+  std::span<const std::uint32_t> ids;
+  std::span<const SectionPoint> row;
+};
+
+bool isSameLevel(SectionPoint a, SectionPoint b) {
+  constexpr double kSame = 1e-6;
+  return std::abs(a.x - b.x) < kSame;
+}
+
+/// Between two rows those at the levels of others, in order, none near another one.
+std::vector<ProfileRow> rowsBetween(std::span<const SectionPoint> a, std::span<const SectionPoint> b,
+                                    std::span<const double> levels) {
+  constexpr double kApart = 0.1;  // of the way
+  if (isSameLevel(a[0], b[0])) return {};
+  std::vector<double> ways;
+  for (const double level : levels) ways.push_back((level - a[0].x) / (b[0].x - a[0].x));
+  std::ranges::sort(ways);
+  std::vector<ProfileRow> rows;
+  double last = 0;
+  for (const double way : ways) {
+    if (way < last + kApart || way > 1 - kApart) continue;
+    last = way;
+    ProfileRow& row = rows.emplace_back();
+    for (std::size_t k = 0; k < a.size(); ++k) row.push_back(lerp(a[k], b[k], way));
+  }
+  return rows;
+}
+
 class Builder {
  public:
   Builder(const Fields& fields, const RowParams& params, mesh::TriMesh& mesh)
       : fields_(fields), bones_(bonesOf(fields)), params_(params), mesh_(mesh), first_(mesh.positions.size()) {}
+
+  /// What there is so far.
+  struct Mark {
+    std::size_t points, triangles;
+  };
+  Mark mark() const { return {mesh_.positions.size(), mesh_.triangles.size()}; }
+  void backTo(const Mark& mark) {
+    points_.resize(mark.points - first_);
+    mesh_.positions.resize(mark.points);
+    mesh_.uv.resize(mark.points);
+    mesh_.triangles.resize(mark.triangles);
+  }
 
   /// A point of a row, its z in each slice.
   std::uint32_t add(const LevelPoint& p, const ProfileRow& row) {
@@ -208,18 +143,36 @@ class Builder {
     for (const LevelPoint& p : line) ids.push_back(add(p, row));
     return ids;
   }
-  /// Triangles between two closed rows that run the same way, outside on the right of the way from a to b.
-  void join(const Ids& a, const Ids& b) {
-    const auto [startA, startB] = closest(a, b);
-    const Ring one = ring(a, startA), other = ring(b, startB);
-    constexpr double kNear = 0.1;
-    Joining(one, other, kNear).run([&](std::size_t i, std::size_t k, bool alongB) {
-      if (alongB) {
-        mesh_.triangles.push_back({one.ids[i], other.ids[k], other.ids[k + 1]});
-      } else {
-        mesh_.triangles.push_back({one.ids[i + 1], one.ids[i], other.ids[k]});
-      }
-    });
+  /// Triangles between two closed rows that run the same way, outside on the right of the way from a to b, by joining
+  /// their points in order. False, and nothing is added, where that would fold the strip.
+  bool join(const Strip& a, const Strip& b) {
+    const bool upright = std::ranges::equal(a.row, b.row, isSameLevel);  // in the plane one line
+    if (upright && a.ids.size() == b.ids.size()) {
+      wall(a.ids, b.ids);
+      return true;
+    }
+    constexpr double kNear = 0.1, kAny = 1;
+    for (const double reach : {kNear, kAny}) {
+      const Triangles made = joined(a.ids, b.ids, reach);
+      if (!upright && folds(made)) continue;
+      mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
+      return true;
+    }
+    return false;
+  }
+  /// The same over a triangulation of what lies between them in the plane, with points of the surface there. Where
+  /// slices at places have them in another order than here, rows may cross: they are joined as they are. False where
+  /// they cross in any other case.
+  bool spread(const Strip& a, const Strip& b) {
+    if (between(a, b)) return true;
+    const Triangles made = joined(a.ids, b.ids, 1);
+    mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
+    bool in = false, out = false;
+    for (std::size_t k = 0; k < a.row.size(); ++k) {
+      if (isSameLevel(a.row[k], b.row[k])) continue;
+      (b.row[k].x < a.row[k].x ? in : out) = true;
+    }
+    return in && out;
   }
 
   /// Triangles from the rows of one level, one an outline, to the row on the axis; they face up or down.
@@ -275,7 +228,102 @@ class Builder {
     return out;
   }
   const ModelPoint& at(std::uint32_t id) const { return points_[id - first_]; }
-  Ring ring(const Ids& row, std::size_t start) const {
+  Triangles joined(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, double reach) const {
+    const auto [startA, startB] = closest(a, b);
+    const Ring one = ring(a, startA), other = ring(b, startB);
+    Triangles out;
+    Joining(one, other, reach).run([&](std::size_t i, std::size_t k, bool alongB) {
+      if (alongB) {
+        out.push_back({one.ids[i], other.ids[k], other.ids[k + 1]});
+      } else {
+        out.push_back({one.ids[i + 1], one.ids[i], other.ids[k]});
+      }
+    });
+    return out;
+  }
+  /// Between rows of which each point is over one of the other: the shorter way across each quadrangle.
+  void wall(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+    const auto away = [&](std::uint32_t p, std::uint32_t q) { return dot(at(p) - at(q), at(p) - at(q)); };
+    for (std::size_t i = a.size(); i-- > 0;) {
+      const std::size_t k = (i + 1) % a.size();
+      if (away(a[k], b[i]) < away(a[i], b[k])) {
+        mesh_.triangles.push_back({a[k], b[i], b[k]});
+        mesh_.triangles.push_back({a[k], a[i], b[i]});
+      } else {
+        mesh_.triangles.push_back({a[k], a[i], b[k]});
+        mesh_.triangles.push_back({a[i], b[i], b[k]});
+      }
+    }
+  }
+  /// Whether some of them lie the other way round in the plane than most.
+  bool folds(const Triangles& made) const {
+    double up = 0, down = 0;
+    for (const auto& [a, b, c] : made) {
+      const ModelPoint one = at(b) - at(a), other = at(c) - at(a);
+      const double turn = one.x * other.y - one.y * other.x;
+      (turn > 0 ? up : down) += std::abs(turn);
+    }
+    constexpr double kRounding = 1e-9;
+    return std::min(up, down) > kRounding * std::max(up, down);
+  }
+  /// The strip between two rows that lie apart in the plane, with points of its own. False when they do not.
+  bool between(const Strip& a, const Strip& b) {
+    const bool outwards = runsInside(a.line, b.line);
+    const Strip &low = outwards ? a : b, &high = outwards ? b : a;
+    std::optional<Band> band = bandBetween(low.line, high.line);
+    if (!band) return false;
+    geometry::PlaneMesh& plane = band->mesh;
+    Ids corners(low.ids.begin(), low.ids.end());
+    corners.insert(band->lowFirst ? corners.end() : corners.begin(), high.ids.rbegin(), high.ids.rend());
+    fill(plane, (band->lowFirst ? low : high).ids.size());
+    for (std::size_t i = plane.rim(); i < plane.points().size(); ++i) {
+      const SectionPoint p = plane.points()[i];
+      const LevelPoint there = within(p, {});
+      double from = 0, to = 0;
+      for (std::size_t k = 0; k < low.row.size(); ++k) {
+        from += there.over.share[k] * low.row[k].x;
+        to += there.over.share[k] * high.row[k].x;
+      }
+      constexpr double kApart = 1e-3;
+      const double way = to > from ? std::clamp((shareAt(p) - from) / (to - from), kApart, 1 - kApart) : 0.5;
+      ProfileRow row;
+      for (std::size_t k = 0; k < low.row.size(); ++k) row.push_back(lerp(low.row[k], high.row[k], way));
+      corners.push_back(add(there, row));
+    }
+    for (const auto& [i, k, l] : plane.triangles()) {
+      mesh_.triangles.push_back({corners[i], corners[outwards ? l : k], corners[outwards ? k : l]});
+    }
+    return true;
+  }
+  /// Points where edges are long, or join two corners of one row.
+  void fill(geometry::PlaneMesh& plane, std::size_t first) const {
+    constexpr int kRounds = 8;
+    constexpr double kLong = 2;  // spacings
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<SectionPoint> middles;
+      for (std::uint32_t h = 0; h < 3 * plane.triangles().size(); ++h) {
+        const std::uint32_t a = plane.triangles()[h / 3][h % 3], b = plane.triangles()[h / 3][(h + 1) % 3];
+        if (a > b || plane.twin(h) == geometry::PlaneMesh::kNone) continue;
+        const bool chord = b < plane.rim() && (a < first) == (b < first);
+        const SectionPoint p = plane.points()[a], q = plane.points()[b];
+        if (chord || distance(p, q) > kLong * params_.spacing) middles.push_back((p + q) / 2);
+      }
+      if (middles.empty()) return;
+      for (const SectionPoint p : middles) plane.insert(p);
+    }
+    plane.splitChords();
+  }
+  double shareAt(SectionPoint p) const {
+    const auto found = fields_.mesh.find(p);
+    if (!found) return 1;
+    const auto& [a, b, c] = fields_.mesh.triangles()[*found];
+    const auto& points = fields_.mesh.points();
+    const double area = cross(points[b] - points[a], points[c] - points[a]);
+    const double atC = cross(points[b] - points[a], p - points[a]) / area;
+    const double atB = cross(p - points[a], points[c] - points[a]) / area;
+    return fields_.s[a] * (1 - atB - atC) + fields_.s[b] * atB + fields_.s[c] * atC;
+  }
+  Ring ring(std::span<const std::uint32_t> row, std::size_t start) const {
     Ring out;
     for (std::size_t i = 0; i <= row.size(); ++i) {
       out.ids.push_back(row[(start + i) % row.size()]);
@@ -284,7 +332,7 @@ class Builder {
     return out;
   }
   /// The first place of a row and the place of another one that is nearest to it.
-  std::array<std::size_t, 2> closest(const Ids& a, const Ids& b) const {
+  std::array<std::size_t, 2> closest(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
     const auto off = [&](std::uint32_t id) { return dot(at(a[0]) - at(id), at(a[0]) - at(id)); };
     return {0, static_cast<std::size_t>(std::ranges::min_element(b, {}, off) - b.begin())};
   }
@@ -314,39 +362,115 @@ double thicknessOf(double width, const RowParams& params) {
   return std::pow(width, params.follow) * std::pow(params.widest, 1 - params.follow);
 }
 
-Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
-               const RowParams& params, mesh::TriMesh& mesh) {
-  constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
-  const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
-  // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
-  constexpr double kOfEdge = 0.5;  // of its width
-  const double edge = fields.reach > 0 ? kOfEdge * fields.reach : params.spacing;
-  RowTable table(fields, piece, std::min(edge, params.spacing));
-  Builder builder(fields, params, mesh);
-  const std::size_t outlines = fields.sizes.size();
-  const auto onAxis = [](const ProfileRow& row) { return row.front().x == 0; };
-  for (const std::vector<ProfileCurve>& curve : curves) {
-    const std::vector<ProfileRow> rows = rowsOf(curve, step);
+namespace {
+
+/// The surface over a piece, with points so far apart along its rows, which may cross or not.
+class Surface {
+ public:
+  Surface(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves, const RowParams& params,
+          double spacing, bool mayCross, mesh::TriMesh& mesh)
+      : mayCross_(mayCross),
+        outlines_(fields.sizes.size()),
+        table_(fields, piece, spacing),
+        builder_(fields, params, mesh) {
+    constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
+    const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
+    for (const std::vector<ProfileCurve>& curve : curves) {
+      curves_.push_back({rowsOf(curve, step), curve.front().closed});
+      for (const ProfileRow& row : curves_.back().rows) levels_.push_back(row[0].x);
+    }
+  }
+  /// False where rows do not lie within each other.
+  bool run() {
+    return std::ranges::all_of(curves_, [&](const Curve& curve) { return add(curve); });
+  }
+
+ private:
+  struct Curve {
+    std::vector<ProfileRow> rows;
+    bool closed;
+  };
+
+  bool add(const Curve& curve) {
+    const auto onAxis = [](const ProfileRow& row) { return row.front().x == 0; };
+    const std::vector<ProfileRow>& rows = curve.rows;
     std::vector<std::vector<Ids>> ids(rows.size());  // by row and outline
     for (std::size_t j = 0; j < rows.size(); ++j) {
       if (onAxis(rows[j])) continue;
-      const std::vector<Row>& lines = table.at(rows[j]);
-      if (lines.size() != outlines) return Error::RegionTooFine;
-      for (const Row& line : lines) ids[j].push_back(builder.add(line, rows[j]));
+      const std::vector<Row>& lines = table_.at(rows[j]);
+      if (lines.size() != outlines_) return false;
+      for (const Row& line : lines) ids[j].push_back(builder_.add(line, rows[j]));
     }
-    const std::size_t strips = rows.size() - (curve.front().closed ? 0 : 1);
+    const std::size_t strips = rows.size() - (curve.closed ? 0 : 1);
     for (std::size_t j = 0; j < strips; ++j) {
       const std::size_t next = (j + 1) % rows.size();
       const bool begins = onAxis(rows[j]), ends = onAxis(rows[next]);
       if (begins || ends) {
         const std::size_t row = begins ? next : j;
-        if (!builder.close(table.at(rows[row]), ids[row], rows[begins ? j : next], ends)) return Error::RegionTooFine;
+        if (!builder_.close(table_.at(rows[row]), ids[row], rows[begins ? j : next], ends)) return false;
         continue;
       }
-      for (std::size_t o = 0; o < outlines; ++o) builder.join(ids[j][o], ids[next][o]);
+      const std::vector<Row>&lines = table_.at(rows[j]), &others = table_.at(rows[next]);
+      for (std::size_t o = 0; o < outlines_; ++o) {
+        if (!strip({lines[o], ids[j][o], rows[j]}, {others[o], ids[next][o], rows[next]}, o)) return false;
+      }
     }
+    return true;
   }
-  return Done{};
+
+  /// A strip that needs points within has the levels of the profile as rows too, so that what lies above and below it
+  /// has the same borders; if they fit in.
+  bool strip(const Strip& a, const Strip& b, std::size_t outline) {
+    if (builder_.join(a, b)) return true;
+    const Builder::Mark before = builder_.mark();
+    if (inStrips(a, b, outline)) return true;
+    builder_.backTo(before);
+    return builder_.spread(a, b) || mayCross_;
+  }
+  bool inStrips(const Strip& a, const Strip& b, std::size_t outline) {
+    const std::vector<ProfileRow> rows = rowsBetween(a.row, b.row, levels_);
+    std::vector<Ids> ids;
+    ids.reserve(rows.size());
+    Strip last = a;
+    const auto next = [&](const Strip& strip) { return builder_.join(last, strip) || builder_.spread(last, strip); };
+    for (const ProfileRow& row : rows) {
+      const std::vector<Row>& lines = table_.at(row);
+      if (lines.size() != outlines_) return false;
+      ids.push_back(builder_.add(lines[outline], row));
+      const Strip strip{lines[outline], ids.back(), row};
+      if (!next(strip)) return false;
+      last = strip;
+    }
+    return next(b);
+  }
+
+  bool mayCross_;
+  std::size_t outlines_;
+  std::vector<Curve> curves_;
+  std::vector<double> levels_;  ///< of all rows, in the first slice
+  RowTable table_;
+  Builder builder_;
+};
+
+}  // namespace
+
+Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
+               const RowParams& params, mesh::TriMesh& mesh) {
+  // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
+  constexpr double kOfEdge = 0.5;  // of its width
+  constexpr int kTries = 3;        // with rows twice as fine each
+  const double spacing = fields.reach > 0 ? std::min(kOfEdge * fields.reach, params.spacing) : params.spacing;
+  const std::size_t points = mesh.positions.size(), triangles = mesh.triangles.size();
+  for (int attempt = 0; attempt <= kTries; ++attempt) {
+    // Rows next to an outline may cross it where the fields' mesh, which is coarser, has chords of it.
+    const bool any = attempt == kTries;
+    if (Surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh).run())
+      return Done{};
+    mesh.positions.resize(points);
+    mesh.uv.resize(points);
+    mesh.triangles.resize(triangles);
+  }
+  return Error::RegionTooFine;
 }
 
 }  // namespace spineloft::inflate

@@ -16,6 +16,7 @@
 #include "engine/io/packed_json.h"
 #include "engine/io/picture_file.h"
 #include "engine/io/share_grid.h"
+#include "engine/io/share_slices.h"
 
 namespace spineloft::io {
 namespace {
@@ -51,6 +52,7 @@ PictureId idOf(const Json& picture) {
 Json keptJson(const Document& document, const PhotoCopies& copies = {}) {
   Json json = documentJson(onGrids(document));
   roundNumbers(json);
+  shortenSlices(json);
   if (Json* pictures = listOf(json, kPicturesKey)) {
     for (Json& picture : *pictures) {
       if (!picture.contains(kPhotoKey)) continue;
@@ -95,6 +97,7 @@ Result<Document> documentOf(Json json, int version, ReadNotes* notes, const Copi
     }
   }
   findEnds(json, version);
+  if (version >= kFirstShortSlices) restoreSlices(json);
   const PictureSource photos = [&](std::uint64_t hash) -> std::shared_ptr<const image::Picture> {
     const auto found = shown.find(hash);
     return found == shown.end() ? nullptr : found->second;

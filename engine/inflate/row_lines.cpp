@@ -1,0 +1,139 @@
+#include "engine/inflate/row_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "engine/geometry/corners.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
+#include "engine/geometry/spread.h"
+
+namespace spineloft::inflate {
+namespace {
+
+constexpr double kOutline = 1 - 1e-9;  ///< s of the outline itself
+constexpr double kOfWidth = 0.25;      ///< of the half width, between points of a row
+constexpr double kOfAway = 1.2;        ///< of the distance to the skeleton
+constexpr double kLeastInRow = 6;
+
+/// The closed line with points so far apart as the place allows, even between corners, which stay.
+Row resampled(const Row& line, double spacing) {
+  const std::size_t n = line.size();
+  std::vector<SectionPoint> closed;
+  std::vector<double> steps(n + 1, 0.0);
+  double finest = spacing;
+  for (std::size_t i = 0; i < n; ++i) {
+    const LevelPoint &a = line[i], &b = line[(i + 1) % n];
+    const double most =
+        std::max(1e-9, std::min({spacing, kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2}));
+    steps[i + 1] = steps[i] + distance(a.at, b.at) / most;
+    finest = std::min(finest, most);
+    closed.push_back(a.at);
+  }
+  closed.push_back(closed.front());
+  // Corners by the way along the line, then by steps.
+  const std::vector<double> s = geometry::arcLengths(std::span<const SectionPoint>(closed));
+  std::vector<double> corners =
+      geometry::cornersOf(std::span<const SectionPoint>(closed), std::span<const double>(s), finest);
+  for (double& corner : corners) {
+    corner = steps[static_cast<std::size_t>(std::ranges::lower_bound(s, corner) - s.begin())];
+  }
+  if (corners.empty()) corners.push_back(0);
+  const auto pieces = static_cast<double>(corners.size());
+  Row out;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const double from = corners[c], to = c + 1 < corners.size() ? corners[c + 1] : corners[0] + steps[n];
+    const auto count = static_cast<int>(std::ceil(std::max(to - from, kLeastInRow / pieces) - 1e-9));
+    for (int k = 0; k < count; ++k) {
+      const double at = std::fmod(from + (to - from) * k / count, steps[n]);
+      const auto after = std::ranges::upper_bound(steps, at);
+      const std::size_t i = std::min(static_cast<std::size_t>(after - steps.begin()), n) - 1;
+      const LevelPoint &a = line[i], &b = line[(i + 1) % n];
+      const double span = steps[i + 1] - steps[i], way = span > 0 ? std::clamp((at - steps[i]) / span, 0.0, 1.0) : 0;
+      out.push_back(lerp(a, b, way));
+    }
+  }
+  return out;
+}
+
+std::vector<SectionPoint> placesOf(std::span<const LevelPoint> line) {
+  std::vector<SectionPoint> out;
+  for (const LevelPoint& p : line) out.push_back(p.at);
+  return out;
+}
+
+}  // namespace
+
+const std::vector<Row>& RowTable::at(const ProfileRow& row) {
+  std::vector<double> levels;
+  for (const SectionPoint p : row) levels.push_back(p.x);
+  const auto found = rows_.find(levels);
+  if (found != rows_.end()) return found->second;
+  const bool outline = std::ranges::all_of(levels, [](double level) { return level >= kOutline; });
+  std::vector<Row> made = outline ? outlines() : traced(levels);
+  return rows_[std::move(levels)] = std::move(made);
+}
+
+std::vector<Row> RowTable::traced(std::span<const double> levels) const {
+  std::vector<Row> rows(fields_.sizes.size());
+  for (LevelLine& line : levelLines(fields_, levels)) {
+    if (!rows[line.side].empty()) return {};
+    rows[line.side] = resampled(line.points, spacing_);
+  }
+  const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
+  return whole ? rows : std::vector<Row>{};
+}
+
+std::vector<Row> RowTable::outlines() const {
+  const auto& points = fields_.mesh.points();
+  const geometry::RimDistance rim(std::span<const SectionPoint>(points).first(fields_.mesh.rim()), fields_.sizes);
+  std::vector<std::uint32_t> next(fields_.mesh.rim());
+  std::uint32_t first = 0;
+  for (const std::size_t size : fields_.sizes) {
+    for (std::uint32_t i = 0; i < size; ++i) next[first + i] = first + (i + 1) % static_cast<std::uint32_t>(size);
+    first += static_cast<std::uint32_t>(size);
+  }
+  std::vector<Row> rows;
+  for (const auto& outline : geometry::sampleRegion(piece_, std::min(spacing_, fields_.spacing))) {
+    Row row;
+    for (const PicturePoint p : outline) {
+      const SectionPoint at{p.x, -p.y};
+      const std::uint32_t a = rim.nearest(at).edge, b = next[a];
+      const SectionPoint along = points[b] - points[a];
+      const double share = std::clamp(dot(at - points[a], along) / std::max(1e-12, dot(along, along)), 0.0, 1.0);
+      LevelPoint there = lerp(levelPointOf(fields_, a), levelPointOf(fields_, b), share);
+      there.at = at;
+      row.push_back(there);
+    }
+    std::ranges::reverse(row);  // the region on the right
+    rows.push_back(resampled(row, spacing_));
+  }
+  return rows;
+}
+
+bool runsInside(std::span<const LevelPoint> a, std::span<const LevelPoint> b) {
+  // With the outline on their left the higher one holds more where they run clockwise, else less.
+  return geometry::signedArea(std::span<const SectionPoint>(placesOf(b))) <
+         geometry::signedArea(std::span<const SectionPoint>(placesOf(a)));
+}
+
+std::optional<Band> bandBetween(std::span<const LevelPoint> low, std::span<const LevelPoint> high) {
+  // The band lies to the left of the lower one, to the right of the higher one.
+  std::vector<SectionPoint> lower = placesOf(low), higher = placesOf(high);
+  std::ranges::reverse(higher);
+  const bool lowFirst = geometry::signedArea(std::span<const SectionPoint>(lower)) > 0;  // a mesh wants holes last
+  std::vector<SectionPoint> rim = lowFirst ? lower : higher;
+  const std::array sizes{rim.size(), lower.size() + higher.size() - rim.size()};
+  rim.insert(rim.end(), (lowFirst ? higher : lower).begin(), (lowFirst ? higher : lower).end());
+  Band band{geometry::PlaneMesh(rim, sizes), lowFirst};
+  std::size_t borders = 0;
+  for (std::uint32_t h = 0; h < 3 * band.mesh.triangles().size(); ++h)
+    borders += band.mesh.twin(h) == geometry::PlaneMesh::kNone;
+  if (band.mesh.empty() || borders != rim.size()) return std::nullopt;
+  return band;
+}
+
+}  // namespace spineloft::inflate

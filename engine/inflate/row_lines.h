@@ -1,0 +1,49 @@
+// Rows of a profile in the plane: lines of equal s with points as far apart as the place allows. Internal to inflate/.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/refine.h"
+#include "engine/inflate/fields.h"
+#include "engine/inflate/profile.h"
+
+namespace spineloft::inflate {
+
+/// A closed line; the skeleton is on its right, the outline on its left.
+using Row = std::vector<LevelPoint>;
+
+/// The rows of one piece: for each outline the line of a level, once for each level, which every slice has its own of.
+class RowTable {
+ public:
+  RowTable(const Fields& fields, const geometry::Contours& piece, double spacing)
+      : fields_(fields), piece_(piece), spacing_(spacing) {}
+
+  /// One row an outline; empty where the level has not one line an outline.
+  const std::vector<Row>& at(const ProfileRow& row);
+
+ private:
+  std::vector<Row> traced(std::span<const double> levels) const;
+  /// The outlines themselves; H is that of the nearest place on the rim of the fields.
+  std::vector<Row> outlines() const;
+
+  const Fields& fields_;
+  const geometry::Contours& piece_;
+  double spacing_;
+  std::map<std::vector<double>, std::vector<Row>> rows_;
+};
+
+/// Whether row a of two rows round the same outline is the lower one.
+bool runsInside(std::span<const LevelPoint> a, std::span<const LevelPoint> b);
+
+/// The triangulation of what lies between a row and a higher one, whose rim they are: the higher one backwards.
+struct Band {
+  geometry::PlaneMesh mesh;
+  bool lowFirst;  ///< of the rim
+};
+/// None where they cross.
+std::optional<Band> bandBetween(std::span<const LevelPoint> low, std::span<const LevelPoint> high);
+
+}  // namespace spineloft::inflate
