@@ -221,7 +221,7 @@ function holdThreads() {
   window.Worker = class extends Real {
     constructor(address, options) {
       super(address, options);
-      this.isHeld = /spineloft-threads/.test(String(address));
+      this.isHeld = options?.name === 'em-pthread';
       window.heldThreads = (window.heldThreads ?? 0) + this.isHeld;
     }
     postMessage(...message) {
