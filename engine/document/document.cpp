@@ -40,8 +40,8 @@ std::size_t bytesOf(const Region& region) {
 // What a recipe holds beyond its own size.
 std::size_t heldBy(const LoftRecipe& recipe) {
   std::size_t bytes = bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) + bytesOf(recipe.edits.added) +
-                      bytesOf(recipe.edits.removed) + bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) +
-                      bytesOf(recipe.pose.depth.points);
+                      bytesOf(recipe.edits.removed) + bytesOf(recipe.edits.startFan) + bytesOf(recipe.edits.endFan) +
+                      bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) + bytesOf(recipe.pose.depth.points);
   const loft::LoftParams& loft = recipe.loft;
   for (const auto* curve : {&loft.twist, &loft.squash, &loft.tilt, &loft.bulge}) {
     bytes += bytesOf(curve->points);

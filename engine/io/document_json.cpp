@@ -69,9 +69,11 @@ void mendEdits(ribs::RibEdits& edits, ReadNotes& notes) {
   const auto share = [](double at) { return at >= 0 && at <= 1; };
   weed(
       edits.ends, ribs::kMostEndEdits,
-      [](const ribs::EndEdit& end) { return ribs::isValid(ribs::RibEdits{{end}, {}, {}}); }, notes);
+      [](const ribs::EndEdit& end) { return ribs::isValid(ribs::RibEdits{.ends = {end}}); }, notes);
   weed(edits.added, ribs::kMostAddedRibs, share, notes);
   weed(edits.removed, ribs::kMostAddedRibs, share, notes);
+  mend(ribs::isValid(ribs::RibEdits{.startFan = edits.startFan}), edits.startFan, {}, notes);
+  mend(ribs::isValid(ribs::RibEdits{.endFan = edits.endFan}), edits.endFan, {}, notes);
   mend(ribs::isValid(edits), edits, {}, notes);
 }
 

@@ -59,10 +59,12 @@ void members(V& v, T& value) {
 }
 template <class V, Is<ribs::RibEdits> T>
 void members(V& v, T& value) {
-  auto& [ends, added, removed] = value;
+  auto& [ends, added, removed, startFan, endFan] = value;
   v("ends", ends);
   v("added", added);
   v("removed", removed);
+  v("startFan", startFan);
+  v("endFan", endFan);
 }
 template <class V, Is<loft::Pose> T>
 void members(V& v, T& value) {

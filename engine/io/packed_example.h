@@ -61,4 +61,15 @@ inline constexpr const char* kPackedExample =
     R"("metal","join","cut","hollow","common","start","end","up","down","none","loft","puff","sheet","lathe","blend",)"
     R"("kind","linear","smooth","step","hold","custom","ease","Model","Part","Sketch 1","Picture 1"]})";
 
+/// From version 5 on besides: the keys and words that documents have had since.
+inline constexpr const char* kPackedWords =
+    R"({"words":{"across":null,"add":null,"axis":null,"bones":null,"detail":null,"drop":null,"factor":null,"heights)"
+    R"(":null,"to":null,"caps":null,"corners":null,"curves":null,"follow":null,"from":null,"lines":null,"middle":nu)"
+    R"(ll,"mode":null,"of":null,"drawing":null,"drawings":null,"folds":null,"hidden":null,"lastDrawingId":null,"las)"
+    R"(tLineId":null,"line":null,"orders":null,"over":null,"pins":null,"runs":null,"under":null,"z":null,"origin":n)"
+    R"(ull,"outlines":null,"planes":null,"primitive":null,"profile":null,"rail":null,"ratio":null,"reach":null,"sec)"
+    R"(tion":null,"shift":null,"slices":null,"stack":null,"through":null,"view":null,"width":null,"startFan":null,")"
+    R"(endFan":null},"terms":["ball","egg","box","cylinder","capsule","cone","pyramid","half-ball","length","share")"
+    R"(,"kept","back","top","all","stack","shape","element"]})";
+
 }  // namespace spineloft::io

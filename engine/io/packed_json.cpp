@@ -56,6 +56,8 @@ constexpr double kMostWhole = 1125899906842624;  // 2⁵⁰
 /// Largest power of two that numbers of a list are known to be multiples of.
 constexpr std::uint64_t kMostSpread = 50;
 
+enum class Traced : std::uint8_t { None, Ribs, RibsAndFans };
+
 /// What the versions of the text differ in.
 struct Dialect {
   std::size_t modes;  ///< so many of kModes
@@ -67,11 +69,11 @@ struct Dialect {
   bool near;                                 ///< and after how far the two numbers before are from the expected one
   std::uint32_t firstWeight;                 ///< Chances::firstWeight
   std::array<std::string_view, 8> examples;  ///< what both sides know beforehand, what is most usual last
-  bool traced;                               ///< and then tracedModels(), whose words are spelled
+  Traced traced;                             ///< and then tracedModels(), whose words are spelled
   bool halved;                               ///< a row in the middle of a table may begin anew
 };
-constexpr std::array<Dialect, 4> kDialects{{
-    {5, 3, 5, false, false, 8, {kPackedExample}, false, false},
+constexpr std::array<Dialect, kPackedVersion> kDialects{{
+    {5, 3, 5, false, false, 8, {kPackedExample}, Traced::None, false},
     {8,
      3,
      6,
@@ -79,10 +81,11 @@ constexpr std::array<Dialect, 4> kDialects{{
      false,
      8,
      {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6, kPackedPart7},
-     false,
+     Traced::None,
      false},
-    {9, 4, 6, true, true, 5, {kPackedExample}, true, false},
-    {11, 4, 6, true, true, 5, {kPackedExample}, true, true},
+    {9, 4, 6, true, true, 5, {kPackedExample}, Traced::Ribs, false},
+    {11, 4, 6, true, true, 5, {kPackedExample}, Traced::Ribs, true},
+    {11, 4, 6, true, true, 5, {kPackedExample, kPackedWords}, Traced::RibsAndFans, true},
 }};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
@@ -201,16 +204,17 @@ const Example& exampleOnce() {
       collectWords(out.documents.back(), words);
     }
     out.words.assign(words.begin(), words.end());
-    if (kDialects[version - 1].traced) std::ranges::move(tracedModels(), std::back_inserter(out.documents));
+    const Traced traced = kDialects[version - 1].traced;
+    if (traced != Traced::None)
+      std::ranges::move(tracedModels(traced == Traced::RibsAndFans), std::back_inserter(out.documents));
     return out;
   }();
   return made;
 }
 const Example& exampleOf(int version) {
-  return version == 1   ? exampleOnce<1>()
-         : version == 2 ? exampleOnce<2>()
-         : version == 3 ? exampleOnce<3>()
-                        : exampleOnce<4>();
+  static constexpr std::array kOnce{exampleOnce<1>, exampleOnce<2>, exampleOnce<3>, exampleOnce<4>, exampleOnce<5>};
+  static_assert(kOnce.size() == kPackedVersion);
+  return kOnce[static_cast<std::size_t>(version - 1)]();
 }
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
@@ -552,10 +556,9 @@ const Chances& learnedOnce() {
   return made;
 }
 const Chances& learned(int version) {
-  return version == 1   ? learnedOnce<1>()
-         : version == 2 ? learnedOnce<2>()
-         : version == 3 ? learnedOnce<3>()
-                        : learnedOnce<4>();
+  static constexpr std::array kOnce{learnedOnce<1>, learnedOnce<2>, learnedOnce<3>, learnedOnce<4>, learnedOnce<5>};
+  static_assert(kOnce.size() == kPackedVersion);
+  return kOnce[static_cast<std::size_t>(version - 1)]();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostPacked = std::size_t{1} << 21;
 inline constexpr int kMostPackedDepth = 32;
 
 /// What packJson writes; 1 … this are read.
-inline constexpr int kPackedVersion = 4;
+inline constexpr int kPackedVersion = 5;
 
 /// What is packed and read at most.
 struct PackBounds {

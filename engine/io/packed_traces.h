@@ -7,7 +7,8 @@
 namespace spineloft::io {
 
 /// Models of one part each as links hold them, drawn with a quick hand and then with a careful one: a mug, a tail, a
-/// hook, a snake, a tap, a cup, a bottle. Texts that were written with them are only read with them: they never change.
-std::vector<nlohmann::json> tracedModels();
+/// hook, a snake, a tap, a cup, a bottle. With `fans` (from version 5 on) the outlines of their ends, too. Texts that
+/// were written with them are only read with them: they never change.
+std::vector<nlohmann::json> tracedModels(bool fans);
 
 }  // namespace spineloft::io

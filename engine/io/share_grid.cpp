@@ -14,10 +14,8 @@
 #include "engine/geometry/polyline.h"
 #include "engine/io/document_json.h"
 #include "engine/io/foretold.h"
+#include "engine/io/share_ends.h"
 #include "engine/io/share_text.h"
-#include "engine/ribs/base/spine.h"
-#include "engine/ribs/edit/end_curves.h"
-#include "engine/ribs/edit/places.h"
 
 namespace spineloft::io {
 namespace {
@@ -28,9 +26,6 @@ using document::Document;
 constexpr int kDigits = 7;
 /// Pressures of a pen are multiples of 1 / this.
 constexpr float kPressures = 32;
-/// Places along a spine are multiples of 1 / this.
-constexpr double kPlaces = 4096;
-
 /// Rounds places on one picture.
 class Grid {
  public:
@@ -49,9 +44,6 @@ class Grid {
     return bits(all) < bits(few) ? all : few;
   }
   double tolerance() const { return step_ / 2; }
-  /// For what is not simplified besides.
-  double alone() const { return 2 * step_; }
-  double alone(double value) const { return std::round(value / alone()) * alone(); }
 
  private:
   std::size_t bits(const std::vector<PicturePoint>& line) const { return lineCost(line, size_); }
@@ -79,69 +71,10 @@ void keepMarks(std::vector<ribs::IgnoreMark>& marks, const Grid& grid) {
 void keepRegion(document::Region& region, const Grid& grid) {
   for (std::vector<PicturePoint>& contour : region.contours) contour = grid(contour);
 }
-/// In a text the place of the i-th rib is this and i: the spine tells where it is.
-constexpr double kFirstRib = 2;
-
-/// Ends of so many ribs in a text are told beside curves, those of the first parts; others in the frame of the spine.
-/// This bounds the time that a text takes, whoever wrote it.
-struct TracedRibs {
-  std::size_t left = 20000;
-};
-
-/// What the ends of a part's ribs are told by; without ribs where the stroke gives no spine.
-class RibsOfText {
- public:
-  RibsOfText(const document::LoftRecipe& recipe, image::Size picture, TracedRibs& traced) {
-    const auto spine = ribs::cleanSpine(recipe.stroke, picture, recipe.spine);
-    if (!spine) return;
-    const ribs::Ruler ruler(spine.value().points);
-    for (std::size_t i = 0; i < spine.value().points.size(); ++i) places_.push_back(ruler.placeOfPoint(i));
-    if (places_.size() > traced.left) return;
-    traced.left -= places_.size();
-    curves_.emplace(spine.value(), picture);
-  }
-  /// As a text says it: with a place of a grid, or at the rib that is the nearest to this, beside its curve.
-  void tell(ribs::EndEdit& end, const Grid& grid) const {
-    end.at = std::round(end.at * kPlaces) / kPlaces;
-    const auto above = std::ranges::lower_bound(places_, end.at - 0.5 / kPlaces);
-    if (above != places_.end() && *above <= end.at + 0.5 / kPlaces) {
-      const auto rib = static_cast<std::size_t>(above - places_.begin());
-      end.at = kFirstRib + static_cast<double>(rib);
-      if (curves_) {
-        const ribs::EndOnCurve told = curves_->tell(rib, end, grid.alone());
-        end.along = told.beside;
-        end.out = told.length;
-      }
-    }
-    end.along = grid.alone(end.along);
-    end.out = grid.alone(end.out);
-  }
-  /// The end that a text of this version says.
-  void find(ribs::EndEdit& end, int version) const {
-    const double rib = end.at - kFirstRib;
-    if (!(rib >= 0 && rib < static_cast<double>(places_.size()))) return;
-    const auto i = static_cast<std::size_t>(rib);
-    end.at = places_[i];
-    if (curves_ && version >= kFirstOnCurves) curves_->put(i, {end.along, end.out}, end);
-  }
-
- private:
-  std::vector<double> places_;
-  std::optional<ribs::EndCurves> curves_;
-};
 
 void keep(document::LoftRecipe& recipe, const Grid& grid) {
   recipe.stroke = grid(recipe.stroke);
   keepMarks(recipe.ignored, grid);
-}
-/// As a text says the ends of a kept recipe.
-void tellEnds(document::LoftRecipe& recipe, const Grid& grid, TracedRibs& traced) {
-  if (recipe.edits.ends.empty()) return;
-  const RibsOfText row(recipe, grid.size(), traced);
-  for (ribs::EndEdit& end : recipe.edits.ends) {
-    end.reach = std::round(end.reach * kPlaces) / kPlaces;
-    row.tell(end, grid);
-  }
 }
 void keep(document::InflateRecipe& recipe, const Grid& grid) {
   keepRegion(recipe.region, grid);
@@ -249,7 +182,7 @@ Document onGrids(const Document& document) {
     const auto grid = grids.find(document::pictureOf(part).value);
     if (grid == grids.end()) continue;
     std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
-    if (document::LoftRecipe* loft = document::loftOf(part)) tellEnds(*loft, grid->second, traced);
+    if (document::LoftRecipe* loft = document::loftOf(part)) tellEnds(*loft, grid->second.size(), traced);
     if (document::ShapeRecipe* shape = document::shapeOf(part)) {
       for (document::Outline& outline : shape->outlines) {
         const auto own = grids.find(outline.picture.value);
@@ -276,38 +209,6 @@ Json* listOf(Json& json, const char* key) {
   if (!json.is_object()) return nullptr;
   const auto at = json.find(key);
   return at != json.end() && at->is_array() ? &*at : nullptr;
-}
-
-void findEnds(Json& json, int version) {
-  Json* parts = listOf(json, "parts");
-  const Json* pictures = listOf(json, kPicturesKey);
-  if (parts == nullptr || pictures == nullptr) return;
-  TracedRibs traced;
-  for (Json& part : *parts) {
-    const auto recipe = part.is_object() ? part.find("recipe") : part.end();
-    if (recipe == part.end() || !recipe->is_object()) continue;
-    const auto edits = recipe->find("edits");
-    Json* ends = edits != recipe->end() ? listOf(*edits, "ends") : nullptr;
-    if (ends == nullptr || ends->empty()) continue;
-    ReadNotes notes;
-    document::LoftRecipe loft;
-    Json stroke = {{"picture", recipe->value("picture", Json())}, {"stroke", recipe->value("stroke", Json())}};
-    if (recipe->contains("spine")) stroke["spine"] = (*recipe)["spine"];
-    read(stroke, loft, {notes, {}});
-    image::Size size;
-    for (const Json& picture : *pictures) {
-      std::uint32_t id = 0;
-      const bool ours = picture.is_object() && get(picture.value("id", Json()), id) && id == loft.picture.value;
-      if (ours) get(picture.value("size", Json()), size);
-    }
-    const RibsOfText row(loft, size, traced);
-    for (Json& end : *ends) {
-      ribs::EndEdit edit;
-      if (!get(end, edit)) continue;
-      row.find(edit, version);
-      end = toJson(edit);
-    }
-  }
 }
 
 }  // namespace spineloft::io

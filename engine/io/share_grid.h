@@ -1,4 +1,4 @@
-// What of a document a share text keeps, and how it tells rib ends (share_text.h). Internal to io/.
+// What of a document a share text keeps (share_text.h). Internal to io/.
 #pragma once
 
 #include "engine/document/document.h"
@@ -6,13 +6,8 @@
 
 namespace spineloft::io {
 
-/// The version from which on ends at ribs are told beside their curves, and the text is the shorter by its zeros.
-inline constexpr int kFirstOnCurves = 3;
-
-/// The document with its places on their grids, and its rib ends as a text tells them.
+/// The document with its places on their grids, and its rib ends as a text tells them (share_ends.h).
 document::Document onGrids(const document::Document& document);
-/// In the JSON of such a document rib ends at a rib come to where a text of this version says that they are.
-void findEnds(Json& document, int version);
 /// Every number that has more digits than a text keeps and is on no grid is rounded.
 void roundNumbers(Json& json);
 

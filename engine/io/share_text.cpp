@@ -15,6 +15,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/packed_json.h"
 #include "engine/io/picture_file.h"
+#include "engine/io/share_ends.h"
 #include "engine/io/share_grid.h"
 #include "engine/io/share_slices.h"
 

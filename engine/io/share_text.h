@@ -18,7 +18,7 @@
 namespace spineloft::io {
 
 /// What texts are written as; 1 … this are read.
-inline constexpr int kShareVersion = 4;
+inline constexpr int kShareVersion = 5;
 /// Longest text that is read, characters.
 inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 

@@ -90,14 +90,18 @@ void mix(Hasher& hasher, const loft::LoftParams& params) {
   mixAll(hasher, startCap, endCap, sectionPoints, capRings, centring);
 }
 void mix(Hasher& hasher, const ribs::RibEdits& edits) {
-  const auto& [ends, added, removed] = edits;
-  hasher.number(ends.size()).number(added.size()).number(removed.size());
+  const auto& [ends, added, removed, startFan, endFan] = edits;
+  for (const std::size_t size : {ends.size(), added.size(), removed.size(), startFan.size(), endFan.size()})
+    hasher.number(size);
   for (const ribs::EndEdit& end : ends) {
     const auto& [at, side, along, out, reach, locked] = end;
     mixAll(hasher, at, side, along, out, reach, locked);
   }
   for (const double at : added) hasher.number(at);
   for (const double at : removed) hasher.number(at);
+  for (const auto* fan : {&startFan, &endFan}) {
+    for (const ribs::RibPoint p : *fan) hasher.number(p.x).number(p.y);
+  }
 }
 void mix(Hasher& hasher, const std::vector<ribs::IgnoreMark>& marks) {
   hasher.number(marks.size());

@@ -12,9 +12,14 @@
 #include "engine/publish/share_copies.h"
 #include "engine/publish/short_stroke.h"
 #include "engine/ribs/edit/places.h"
+#include "engine/ribs/edit/rib_frame.h"
 
 namespace spineloft::publish {
 namespace {
+
+/// What outlines of ends are shortened for, characters, and the numbers of points that are tried, all of them first.
+constexpr std::size_t kMostPartText = 150;
+constexpr std::array<std::size_t, 3> kFanPoints{ribs::kMostFanPoints, 5, 3};
 
 /// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
 /// is close to that of the shape, and a rib on a point of the one is on the same point of the other.
@@ -72,6 +77,37 @@ std::size_t lengthAlone(const document::PictureEntry& photo, document::LoftRecip
   return text.ok() ? text.value().size() : std::numeric_limits<std::size_t>::max();
 }
 
+/// The outline of an end on its rib: none on a rib that is as good as a point, which is where the part ends; the middle
+/// alone where that is not beyond the rib, at which a cap ends then (loft/caps.h).
+std::vector<ribs::RibPoint> fixedFan(const ribs::EndFan& fan, const ribs::Rib& rib, bool atStart) {
+  const ribs::RibFrame frame(rib.left, rib.right, atStart);
+  if (fan.points.empty() || !(frame.unit() >= 1)) return {};
+  ribs::RibEdits edits{.startFan = frame.fromPicture(fan.points)};
+  if (!ribs::isValid(edits)) return {};
+  const ribs::RibPoint middle = edits.startFan[edits.startFan.size() / 2];
+  return middle.x > 0 ? std::move(edits.startFan) : std::vector{middle};
+}
+
+/// So many of the points, evenly.
+std::vector<ribs::RibPoint> someOf(const std::vector<ribs::RibPoint>& fan, std::size_t count) {
+  if (fan.size() <= count) return fan;
+  std::vector<ribs::RibPoint> some;
+  for (std::size_t i = 1; i <= count; ++i) some.push_back(fan[(2 * i * (fan.size() + 1) / (count + 1) + 1) / 2 - 1]);
+  return some;
+}
+
+/// Puts the outlines of both ends where they are: as they are if the part alone takes at most kMostPartText characters
+/// then, else a few of their points.
+void fixFans(const document::PictureEntry& photo, const ribs::RibSet& found, document::LoftRecipe& loft) {
+  const std::vector<ribs::RibPoint> start = fixedFan(found.startFan, found.ribs.front(), true),
+                                    end = fixedFan(found.endFan, found.ribs.back(), false);
+  for (const std::size_t points : kFanPoints) {
+    loft.edits.startFan = someOf(start, points);
+    loft.edits.endFan = someOf(end, points);
+    if (lengthAlone(photo, loft) <= kMostPartText) return;
+  }
+}
+
 /// withoutPhotos, but that parts go on to show photos of which there are copies.
 document::Document fixed(const document::Document& document, const pipeline::Derived& derived,
                          const io::PhotoCopies& copies) {
@@ -91,6 +127,7 @@ document::Document fixed(const document::Document& document, const pipeline::Der
       StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, lengthOf);
       loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);
       loft->stroke = std::move(shorter.stroke);
+      fixFans(*entry, shape->ribs, *loft);
     }
     if (part.look.textured) {
       part.look.textured = copies.contains(entry->id);

@@ -111,6 +111,10 @@ struct Make<EditRibs> {
     }
     for (std::uint32_t i = rng.below(4); i > 0; --i) edits.added.push_back(rng.uniform(0, 1));
     for (std::uint32_t i = rng.below(4); i > 0; --i) edits.removed.push_back(rng.uniform(0, 1));
+    for (auto* fan : {&edits.startFan, &edits.endFan}) {
+      if (rng.below(4) > 0) continue;
+      for (std::uint32_t i = rng.below(14); i > 0; --i) fan->push_back({rng.uniform(-0.5, 3), rng.uniform(-2, 2)});
+    }
     return {anyPart(rng, d), edits};
   }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/ribs/edit/places.h"
+#include "engine/ribs/edit/rib_frame.h"
 #include "engine/ribs/field/d2.h"
 
 namespace spineloft::ribs {
@@ -309,6 +310,14 @@ void moveFan(EndFan& fan, const Rib& from, const Rib& to) {
   }
 }
 
+// The fan of the rib that a search found at an end and that edits made `to` of.
+void placeFan(EndFan& fan, const std::vector<RibPoint>& put, bool atStart, const Rib& from, const Rib& to) {
+  if (put.empty())
+    moveFan(fan, from, to);
+  else
+    fan.points = RibFrame(to.left, to.right, atStart).toPicture(put);
+}
+
 // d2 of the ends that moved. `was` holds the ribs as they were, the same number.
 void measureLevels(const Spine& spine, const std::vector<Rib>& was, std::vector<Rib>& ribs) {
   const D2Field field(spine.points);
@@ -322,9 +331,14 @@ void measureLevels(const Spine& spine, const std::vector<Rib>& was, std::vector<
 
 bool isValid(const RibEdits& edits) {
   const auto share = [](double value) { return value >= 0 && value <= 1; };
-  return edits.ends.size() <= kMostEndEdits && edits.added.size() <= kMostAddedRibs &&
-         edits.removed.size() <= kMostAddedRibs && std::ranges::all_of(edits.added, share) &&
-         std::ranges::all_of(edits.removed, share) && std::ranges::all_of(edits.ends, [&](const EndEdit& end) {
+  const auto isFan = [](const std::vector<RibPoint>& fan) {
+    return fan.size() <= kMostFanPoints &&
+           std::ranges::all_of(fan, [](RibPoint p) { return std::max(std::abs(p.x), std::abs(p.y)) <= kFarthestFan; });
+  };
+  return isFan(edits.startFan) && isFan(edits.endFan) && edits.ends.size() <= kMostEndEdits &&
+         edits.added.size() <= kMostAddedRibs && edits.removed.size() <= kMostAddedRibs &&
+         std::ranges::all_of(edits.added, share) && std::ranges::all_of(edits.removed, share) &&
+         std::ranges::all_of(edits.ends, [&](const EndEdit& end) {
            return share(end.at) && share(end.reach) && std::abs(end.along) <= kFarthestEdit &&
                   std::abs(end.out) <= kFarthestEdit && end.side <= Side::Right;
          });
@@ -341,8 +355,8 @@ RibSet applyEdits(const Spine& spine, const RibSet& generated, const RibEdits& e
   if (changed) measureLevels(spine, before, row.ribs);
   RibSet set = generated;
   set.ribs = std::move(row.ribs);
-  moveFan(set.startFan, generated.ribs.front(), set.ribs.front());
-  moveFan(set.endFan, generated.ribs.back(), set.ribs.back());
+  placeFan(set.startFan, edits.startFan, true, generated.ribs.front(), set.ribs.front());
+  placeFan(set.endFan, edits.endFan, false, generated.ribs.back(), set.ribs.back());
   return set;
 }
 

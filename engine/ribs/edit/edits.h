@@ -29,19 +29,29 @@ struct EndEdit {
   bool operator==(const EndEdit&) const = default;
 };
 
+/// The frame of the rib at an end of a part: its middle is the origin, half its width is 1; x leads out of the part
+/// along the spine, y to the left end as seen in the drawing direction.
+struct RibSpace;
+using RibPoint = Vec2<RibSpace>;
+
 /// All edits of one part's ribs.
 struct RibEdits {
-  std::vector<EndEdit> ends;    ///< in the order they were made, at most kMostEndEdits
-  std::vector<double> added;    ///< places of ribs besides the generated ones, shares of the length
-  std::vector<double> removed;  ///< the generated rib nearest to each place is left out
+  std::vector<EndEdit> ends = {};    ///< in the order they were made, at most kMostEndEdits
+  std::vector<double> added = {};    ///< places of ribs besides the generated ones, shares of the length
+  std::vector<double> removed = {};  ///< the generated rib nearest to each place is left out
+  /// The outlines of the ends beyond the first and the last rib, from the left round to the right, at most
+  /// kMostFanPoints each; empty: as they were found.
+  std::vector<RibPoint> startFan = {}, endFan = {};
   bool operator==(const RibEdits&) const = default;
-  bool empty() const { return ends.empty() && added.empty() && removed.empty(); }
+  bool empty() const { return *this == RibEdits{}; }
 };
 
-inline constexpr std::size_t kMostEndEdits = 20000, kMostAddedRibs = 400;
+inline constexpr std::size_t kMostEndEdits = 20000, kMostAddedRibs = 400, kMostFanPoints = 64;
 
 /// The farthest that an edit may put an end from the spine, picture pixels.
 inline constexpr double kFarthestEdit = 1e6;
+/// The farthest that a point of a fan may be from the middle of its rib, in halves of the rib's width.
+inline constexpr double kFarthestFan = 1e4;
 
 /// Finite, in range, not too many.
 bool isValid(const RibEdits& edits);
@@ -49,9 +59,9 @@ bool isValid(const RibEdits& edits);
 /// The generated ribs with the edits laid over them. Ends that an edit moved by more than half are
 /// Edited (Locked where locked); added ribs lie between their neighbours, Bridged, until they are
 /// moved (a place that has a rib gets no second one); at least 2 ribs stay. Ends that follow an edit
-/// gather at the dragged one where its rib would run across theirs. End fans follow the ribs of their
-/// end by the same similarity. Ribs that no edit reaches come back unchanged. Coordinates stay
-/// finite and within 2 kFarthestEdit of the spine's, whatever the edits. Cost: edits × the ribs and
+/// gather at the dragged one where its rib would run across theirs. Fans that were found follow the ribs of
+/// their end by the same similarity; those of the edits stand on them. Ribs that no edit reaches come back unchanged.
+/// Coordinates stay finite and within 2 kFarthestEdit of the spine's, whatever the edits. Cost: edits × the ribs and
 /// edits within their reach.
 RibSet applyEdits(const Spine& spine, const RibSet& generated, const RibEdits& edits);
 

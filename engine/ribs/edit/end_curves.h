@@ -22,7 +22,7 @@ struct EndOnCurve {
 /// numbers. A difference of either number moves an end by at most as much. Cost: one tracing of the curves.
 ///
 /// Share texts are told by these curves from version 3 on: whoever changes cleanSpine, the field or the tracing changes
-/// what they say (tests/golden/share-v3 and -v4), and has to keep the curves of today for them.
+/// what they say (tests/golden/share-v3 and later), and has to keep the curves of today for them.
 class EndCurves {
  public:
   /// A spine that cleanSpine made in a picture of this size.

@@ -8,6 +8,7 @@
 #include "engine/geometry/polyline.h"
 #include "engine/ribs/edit/edit_gestures.h"
 #include "engine/ribs/edit/places.h"
+#include "engine/ribs/edit/rib_frame.h"
 
 namespace spineloft::fixtures {
 
@@ -69,6 +70,12 @@ inline ribs::RibEdits randomEdits(Rng& rng, double wildness = 1) {
   }
   for (std::uint32_t i = rng.below(6); i-- > 0;) edits.added.push_back(rng.uniform());
   for (std::uint32_t i = rng.below(6); i-- > 0;) edits.removed.push_back(rng.uniform());
+  for (auto* fan : {&edits.startFan, &edits.endFan}) {
+    if (rng.below(4) > 0) continue;
+    for (std::uint32_t i = rng.below(14); i > 0; --i) {
+      fan->push_back({wildness * rng.uniform(-1, 3), wildness * rng.uniform(-2, 2)});
+    }
+  }
   return edits;
 }
 

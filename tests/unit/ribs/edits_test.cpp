@@ -7,6 +7,7 @@
 
 #include "engine/loft/loft.h"
 #include "engine/ribs/edit/places.h"
+#include "engine/ribs/edit/rib_frame.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/rounds.h"
 #include "tests/unit/ribs/edited_ribs.h"
@@ -268,6 +269,51 @@ TEST_CASE("the fan of an end follows its rib by the same similarity") {
   for (std::size_t i = 0; i < set.startFan.points.size(); ++i) {
     const PicturePoint want = first.center + (band.ribs.startFan.points[i] - first.center) * 2;
     CHECK(distance(set.startFan.points[i], want) < 1e-6);
+  }
+}
+
+TEST_CASE("a fan that is put on an end stands on its rib, wherever edits bring this") {
+  const Band band = bandOf(60);
+  for (const bool atStart : {true, false}) {
+    CAPTURE(atStart);
+    const EndFan& found = atStart ? band.ribs.startFan : band.ribs.endFan;
+    const auto ribOf = [&](const RibSet& set) { return atStart ? set.ribs.front() : set.ribs.back(); };
+    const auto frameOf = [&](const RibSet& set) { return RibFrame(ribOf(set).left, ribOf(set).right, atStart); };
+    RibEdits edits;
+    std::vector<RibPoint>& fan = atStart ? edits.startFan : edits.endFan;
+    fan = frameOf(band.ribs).fromPicture(found.points);
+    // From the left round to the right, outwards.
+    CHECK(fan.front().y > 0);
+    CHECK(fan.back().y < 0);
+    for (const RibPoint p : fan) CHECK(p.x > 0);
+    const auto points = [&](const RibSet& set) { return atStart ? set.startFan.points : set.endFan.points; };
+    // The one that was found, put there, is where it was; the other end and the ribs stay.
+    const RibSet same = band.edited(edits);
+    REQUIRE(points(same).size() == found.points.size());
+    for (std::size_t i = 0; i < found.points.size(); ++i) CHECK(distance(points(same)[i], found.points[i]) < 1e-9);
+    CHECK(same.ribs == band.ribs.ribs);
+    CHECK((atStart ? same.endFan == band.ribs.endFan : same.startFan == band.ribs.startFan));
+    // Another one is as it was put, and goes on to be so where the rib is another.
+    fan = {{0.2, 0.9}, {1.5, 0.1}, {0.4, -1.1}};
+    const std::size_t last = atStart ? 0 : band.ribs.ribs.size() - 1;
+    edits.ends.push_back(editTo(band, last, Side::Left, ribOf(band.ribs).left + PicturePoint{7, -19}, 0));
+    const RibSet moved = band.edited(edits);
+    REQUIRE(points(moved).size() == 3);
+    const std::vector<RibPoint> read = frameOf(moved).fromPicture(points(moved));
+    for (std::size_t i = 0; i < 3; ++i) CHECK(distance(read[i], fan[i]) < 1e-9);
+  }
+}
+
+TEST_CASE("fans of too many points, far off or of no number are no edits") {
+  const std::vector<RibPoint> sound(kMostFanPoints, RibPoint{1, kFarthestFan});
+  CHECK(isValid(RibEdits{.startFan = sound, .endFan = sound}));
+  std::vector<RibPoint> long_ = sound, far = sound, none = sound;
+  long_.push_back({1, 0});
+  far[3].x = -1.01 * kFarthestFan;
+  none[5].y = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& fan : {long_, far, none}) {
+    CHECK_FALSE(isValid(RibEdits{.startFan = fan}));
+    CHECK_FALSE(isValid(RibEdits{.endFan = fan}));
   }
 }
 
