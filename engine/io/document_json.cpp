@@ -1,6 +1,7 @@
 #include "engine/io/document_json.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <new>
 #include <set>
 
@@ -52,6 +53,24 @@ void mend(bool right, T& value, T sound, ReadNotes& notes) {
   ++notes.repaired;
 }
 
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// The same, with what is wrong.
+void tell(const Failure& failure, ReadNotes& notes) {
+  if (!notes.why.empty()) return;
+  const std::string sentence = failureSentence({failure.error, {}});
+  notes.why = failure.detail.empty() ? sentence.substr(0, sentence.find('.')) : failure.detail;
+}
+template <class T>
+void mend(const Status& right, T& value, T sound, ReadNotes& notes) {
+  if (!right) tell(right.failure(), notes);
+  mend(right.ok(), value, std::move(sound), notes);
+}
+
 /// Takes out what is not right, and what is too much; counts each.
 template <class T, class Right>
 void weed(std::vector<T>& values, std::size_t most, const Right& right, ReadNotes& notes) {
@@ -100,8 +119,8 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
   mendLoft(recipe.loft, notes);
 }
 void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
-  mend(isValid(recipe.inflate), recipe.inflate, {}, notes);
-  mend(document::checkSolid(recipe.inflate).ok(), recipe.inflate.profile, {}, notes);
+  mend(checkParams(recipe.inflate), recipe.inflate, {}, notes);
+  mend(document::checkSolid(recipe.inflate), recipe.inflate.profile, {}, notes);
 }
 void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.extrude), recipe.extrude, {}, notes);
@@ -135,6 +154,7 @@ void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   for (const document::ParamInfo& info : document::paramTable(kind)) {
     const double value = info.get(recipe);
     if (value >= info.low && value <= info.high) continue;
+    tell({Error::ValueOutOfRange, "it must be " + shortNumber(info.low) + " … " + shortNumber(info.high)}, notes);
     info.set(recipe, info.get(standard));
     ++notes.repaired;
   }
@@ -373,6 +393,7 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   if (reading.notes != before) settleExtra(part, toJson(part), reading);
   const Status stroke = document::checkDrawn(document, part.recipe);
   if (stroke) return part;
+  tell(stroke.failure(), reading.notes);
   if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
   return {Error::ProjectInvalid, part.name};
 }

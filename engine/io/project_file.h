@@ -27,6 +27,7 @@ using PictureSource = std::function<std::shared_ptr<const image::Picture>(std::u
 struct ReadNotes {
   std::size_t dropped = 0;   ///< pictures and parts that could not be kept
   std::size_t repaired = 0;  ///< values that were damaged or out of range, replaced by sound ones
+  std::string why = {};      ///< what is wrong with the first of these, in plain words; empty where that is not known
   bool clean() const { return dropped == 0 && repaired == 0; }
   bool operator==(const ReadNotes&) const = default;
 };

@@ -19,8 +19,12 @@ using document::PictureEntry;
 /// In larger recipes the value at fault is not searched for, members: it takes a reading for each.
 constexpr std::size_t kMostSearched = 2000;
 
-/// How many values of a recipe are at fault.
-using Faults = std::function<std::size_t(const Json&)>;
+/// How many values of a recipe are at fault, and what is wrong with the first of them, where that is known.
+struct Found {
+  std::size_t faults = 0;
+  std::string why;
+};
+using Faults = std::function<Found(const Json&)>;
 using Place = std::vector<std::string>;  ///< keys, outermost first
 
 Json::json_pointer pointerTo(const Place& place, std::size_t depth) {
@@ -41,14 +45,14 @@ void collectPlaces(const Json& json, Place& here, std::vector<Place>& places) {
   }
 }
 
-/// The innermost place without which fewer values are at fault; empty when there is none.
-Place faultIn(const Json& whole, const Faults& faults) {
+/// The innermost place without which fewer values are at fault, and what is wrong there; empty when there is none.
+std::pair<Place, std::string> faultIn(const Json& whole, const Faults& faults) {
   std::vector<Place> places;
   Place here;
   collectPlaces(whole, here, places);
   if (places.size() >= kMostSearched) return {};
   std::ranges::stable_sort(places, std::greater(), &Place::size);
-  const std::size_t all = faults(whole);
+  const Found all = faults(whole);
   for (const Place& place : places) {
     Json without = whole;
     Json& around = without[pointerTo(place, place.size() - 1)];
@@ -57,7 +61,8 @@ Place faultIn(const Json& whole, const Faults& faults) {
     } else {
       around.erase(static_cast<std::size_t>(std::stoul(place.back())));
     }
-    if (faults(without) < all) return place;
+    const Found rest = faults(without);
+    if (rest.faults < all.faults) return {place, rest.why == all.why ? std::string() : all.why};
   }
   return {};
 }
@@ -73,14 +78,22 @@ bool holdsPairs(const Json& json) {
   return json.is_structured() && std::ranges::any_of(json, holdsPairs);
 }
 
-/// Says which value is at fault: "recipe.loft.twist is damaged or out of range".
+/// What is wrong with a value of which nothing but that is known.
+std::string whyNot(const Place& place, const Json& value) {
+  if (holdsPairs(value)) return std::string(": ") + kNoPairs;
+  if (value.is_string()) return ": nothing that it can be is named \"" + value.get<std::string>() + "\"";
+  if (place.back() == "contours") return " is no list of lists x, y, x, y … of numbers";
+  return " is damaged or out of range";
+}
+
+/// Says which value is at fault, and why: "recipe.profile.follow: follow must be 0 … 1".
 Failure wrongValue(const Json& whole, const Faults& faults) {
   std::string path;
-  const Place place = faultIn(whole, faults);
+  const auto [place, why] = faultIn(whole, faults);
+  if (place.empty()) return {Error::JsonInvalid, "a value is damaged or out of range"};
   for (const std::string& key : place) path += (path.empty() ? "" : ".") + key;
-  const bool pairs = !place.empty() && holdsPairs(whole[pointerTo(place, place.size())]);
-  if (path.empty()) path = "a value";
-  return {Error::JsonInvalid, path + (pairs ? std::string(": ") + kNoPairs : " is damaged or out of range")};
+  const Json& value = whole[pointerTo(place, place.size())];
+  return {Error::JsonInvalid, path + (why.empty() || holdsPairs(value) ? whyNot(place, value) : ": " + why)};
 }
 
 /// The first key of what was left over, with the keys around it; empty when nothing was.
@@ -250,7 +263,7 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
     return wrongValue(json, [&](const Json& whole) {
       ReadNotes found;
       const bool sound = partFrom(whole, document, {found, none}).ok();
-      return found.dropped + found.repaired + (sound ? 0 : 1);
+      return Found{found.dropped + found.repaired + (sound ? 0 : 1), found.why};
     });
   }
   const std::string& extra = part.value().extra;
@@ -337,7 +350,7 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
   return wrongValue(json, [&](const Json& whole) {
     ReadNotes found;
     const bool sound = documentFrom(whole, {found, source}, MissingPhoto::Drop).ok();
-    return sound ? found.dropped + found.repaired : std::size_t{1} << 20;
+    return Found{sound ? found.dropped + found.repaired : std::size_t{1} << 20, found.why};
   });
 }
 

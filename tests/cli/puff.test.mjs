@@ -88,7 +88,7 @@ test('what is wrong with a slice or an outline is named', (t) => {
     const file = write(folder, document(contours, recipe));
     assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words);
   };
-  refused(disc, sliced({ preset: 'd' }), /profile/);
+  refused(disc, sliced({ preset: 'd' }), /mirror image/);
   refused(disc, sliced({ preset: 'round' }), /preset/);
   const pairs = [
     [100, 100],
@@ -118,6 +118,42 @@ test('what is wrong with a slice or an outline is named', (t) => {
     }),
     /contours: .*not of pairs/,
   );
+});
+
+test('each fault of a slice is told in words', (t) => {
+  const folder = barFolder(t);
+  const box = (left, low, right, high) => [left, low, right, low, right, high, left, high];
+  const slices = (...all) => ({ profile: { slices: all } });
+  const beside = { shape: { contours: [box(0.4, -0.3, 0.8, 0.3), box(-0.8, -0.3, -0.4, 0.3)] }, at: [200, 200] };
+  const round = { shape: { preset: 'circle' } };
+  for (const [recipe, words] of [
+    [sliced({ preset: 'd' }), /preset: .*mirror image/],
+    [sliced({ preset: 'round' }), /preset: nothing .* named "round"/],
+    [sliced({ contours: [box(-1.5, -1, 1.5, 1)] }), /contours: .*beyond/],
+    [sliced({ contours: [box(0.2, -0.3, 0.6, 0.3)] }), /contours: .*mirror image/],
+    [sliced({ contours: [[-1, -1, 1, 1, 1, -1, -1, 1]] }), /contours: .*cross/],
+    [sliced({ contours: [[0, 0, 0, 0.5, 0, 1]] }), /contours: ./],
+    [sliced({ contours: Array(17).fill(box(-1, -1, 1, 1)) }), /contours: .*16/],
+    [sliced({ contours: [[0, 1, 2]] }), /contours is no list/],
+    [sliced({ contours: 'x' }), /contours/],
+    [sliced({ preset: 'circle' }, { follow: 2 }), /follow: .*0 … 1/],
+    [sliced({ preset: 'circle' }, { across: 'length', reach: 5 }), /reach: .*0.002 … 0.5/],
+    [sliced({ preset: 'circle' }, { across: 'wide' }), /across: nothing .* named "wide"/],
+    [slices(...Array(9).fill(round)), /slices: .*at most 8/],
+    [slices(round, round), /no place/],
+    [slices(round, beside), /as many bodies, rings and holes/],
+    [{ puff: { sides: 'front' }, ...sliced({ contours: [box(-0.5, -1, 0.5, -0.2)] }) }, /on that side/],
+    [{ bones: { heights: [{ at: [200, 200], factor: 9 }] }, ...sliced({ preset: 'circle' }) }, /factor.*0.1 … 4/],
+    [{ bones: { detail: 3 }, ...sliced({ preset: 'circle' }) }, /detail: .*0 … 1/],
+  ]) {
+    const said = fails(3, 'loft', '--recipe', write(folder, document(disc, recipe)), '--report', folder.path('r.json'));
+    assert.match(said, words);
+    assert.doesNotMatch(said, /damaged/);
+  }
+  for (const contours of [[], [[100, 100, 300, 300]]]) {
+    const file = write(folder, document(contours));
+    assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('r.json')), /parts\.0: .*outline/);
+  }
 });
 
 test('the recipes after Levet and Granier have the bones, pieces and handles of their figures', (t) => {
