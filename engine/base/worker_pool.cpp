@@ -4,6 +4,7 @@
 #include <deque>
 
 #ifdef SPINELOFT_THREADS
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -14,6 +15,12 @@ namespace spineloft {
 namespace {
 
 enum class JobState { Queued, Running, Finished };
+
+#ifdef SPINELOFT_THREADS
+/// A thread of a page is a script that is fetched, which may fail. When none has begun for so long after the first job,
+/// `pump` runs the jobs until one does.
+constexpr std::chrono::seconds kThreadBegins{5};
+#endif
 
 struct Job {
   std::string label;
@@ -41,6 +48,8 @@ struct WorkerPool::Shared {
   mutable std::mutex mutex;
   std::condition_variable wake;
   std::vector<std::thread> threads;
+  bool hasBegun = false;  ///< one of the threads at least
+  std::optional<std::chrono::steady_clock::time_point> firstJob;
   using Lock = std::unique_lock<std::mutex>;
 #else
   mutable NoMutex mutex;
@@ -48,6 +57,15 @@ struct WorkerPool::Shared {
 #endif
   std::deque<std::shared_ptr<Job>> jobs;  // unfinished and finished ones until pumped, oldest first
   bool closing = false;
+
+  /// Whether jobs are the caller's work.
+  bool isCallers() const {
+#ifdef SPINELOFT_THREADS
+    return threads.empty() || (!hasBegun && firstJob && std::chrono::steady_clock::now() - *firstJob > kThreadBegins);
+#else
+    return true;
+#endif
+  }
 
   std::shared_ptr<Job> takeQueued() {
     for (const auto& job : jobs) {
@@ -66,6 +84,7 @@ WorkerPool::WorkerPool([[maybe_unused]] int threads) : shared_(std::make_unique<
   for (int i = 0; i < std::clamp(threads, 0, 16); ++i) {
     shared->threads.emplace_back([shared] {
       Shared::Lock lock(shared->mutex);
+      shared->hasBegun = true;
       while (true) {
         std::shared_ptr<Job> job;
         shared->wake.wait(lock, [&] { return shared->closing || (job = shared->takeQueued()); });
@@ -100,6 +119,9 @@ Progress WorkerPool::enqueue(std::string label, std::function<void(const Progres
   {
     const Shared::Lock lock(shared_->mutex);
     shared_->jobs.push_back(job);
+#ifdef SPINELOFT_THREADS
+    if (!shared_->firstJob) shared_->firstJob = std::chrono::steady_clock::now();
+#endif
   }
 #ifdef SPINELOFT_THREADS
   shared_->wake.notify_one();
@@ -108,15 +130,16 @@ Progress WorkerPool::enqueue(std::string label, std::function<void(const Progres
 }
 
 int WorkerPool::pump() {
-  if (threads() == 0) {
-    if (const std::shared_ptr<Job> job = shared_->takeQueued()) {
-      job->work(job->progress);
-      job->state = JobState::Finished;
-    }
+  std::shared_ptr<Job> ours;
+  {
+    const Shared::Lock lock(shared_->mutex);
+    if (shared_->isCallers()) ours = shared_->takeQueued();
   }
+  if (ours) ours->work(ours->progress);
   std::deque<std::shared_ptr<Job>> finished;
   {
     const Shared::Lock lock(shared_->mutex);
+    if (ours) ours->state = JobState::Finished;
     auto& jobs = shared_->jobs;
     const auto first = std::stable_partition(jobs.begin(), jobs.end(),
                                              [](const auto& job) { return job->state != JobState::Finished; });

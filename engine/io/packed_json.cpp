@@ -219,11 +219,13 @@ constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
 class Packer {
  public:
   enum class Direction : std::uint8_t { Writes, Reads };
-  Packer(BitCoder& coder, Direction direction, int version)
+  Packer(BitCoder& coder, Direction direction, int version, const PackBounds& bounds = {})
       : coder_(coder),
         reads_(direction == Direction::Reads),
         dialect_(kDialects[static_cast<std::size_t>(version - 1)]),
-        words_(exampleOf(version).words) {}
+        words_(exampleOf(version).words),
+        left_(bounds.values),
+        deepest_(bounds.depth) {}
 
   Json value(const Json& in, std::uint64_t key, int depth);
   /// A text by its letters, each in the context of the one before.
@@ -270,7 +272,8 @@ class Packer {
   const Dialect& dialect_;
   const std::vector<std::string>& words_;
   bool failed_ = false;
-  std::size_t left_ = kMostPacked;
+  std::size_t left_;
+  int deepest_;
   std::vector<std::string> spelled_;  ///< words by their letters, in the order in which they came
 };
 
@@ -487,7 +490,7 @@ Json Packer::object(const Json& in, std::uint64_t key, int depth) {
 }
 
 Json Packer::value(const Json& in, std::uint64_t key, int depth) {
-  if (depth > kMostPackedDepth || allowed(1) == 0) {
+  if (depth > deepest_ || allowed(1) == 0) {
     failed_ = true;
     return {};
   }
@@ -561,9 +564,9 @@ bool isPackedWord(std::string_view text) {
   return std::ranges::binary_search(exampleOf(kPackedVersion).words, text, std::less<>());
 }
 
-Result<std::vector<std::uint8_t>> packJson(const Json& value) {
+Result<std::vector<std::uint8_t>> packJson(const Json& value, const PackBounds& bounds) {
   BitWriter writer(learned(kPackedVersion));
-  Packer packer(writer, Packer::Direction::Writes, kPackedVersion);
+  Packer packer(writer, Packer::Direction::Writes, kPackedVersion, bounds);
   packer.value(value, 0, 0);
   if (packer.failed()) return Error::OutOfMemory;
   return writer.finish();

@@ -7,6 +7,7 @@
 // first and thrown away.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -24,8 +25,15 @@ inline constexpr int kMostPackedDepth = 32;
 /// What packJson writes; 1 … this are read.
 inline constexpr int kPackedVersion = 4;
 
-/// Numbers that are not finite become null. Errors: OutOfMemory (more than kMostPacked, or nested deeper).
-Result<std::vector<std::uint8_t>> packJson(const nlohmann::json& value);
+/// What is packed and read at most.
+struct PackBounds {
+  std::size_t values = kMostPacked;
+  int depth = kMostPackedDepth;
+};
+
+/// Numbers that are not finite become null. Errors: OutOfMemory (more than the bounds). What is packed with wider
+/// bounds than the usual ones is refused by unpackJson.
+Result<std::vector<std::uint8_t>> packJson(const nlohmann::json& value, const PackBounds& bounds = {});
 /// Bytes that packJson did not write give some other value, or an error: ProjectInvalid (not UTF-8, or larger than
 /// packJson writes), ProjectTooNew. The work and the memory are bounded by kMostPacked.
 Result<nlohmann::json> unpackJson(std::span<const std::uint8_t> bytes, int version = kPackedVersion);

@@ -54,6 +54,14 @@ const Json* profileNamed(const Json& name) {
   return found == namedProfiles().end() ? nullptr : &found->second;
 }
 
+/// The shape of its one slice as a text has it; none where it is the usual one.
+const Json* shapeOf(const Json& profile) {
+  const auto slices = profile.find(kSlices);
+  if (slices == profile.end() || slices->empty()) return nullptr;
+  const auto shape = slices->front().find(kShape);
+  return shape == slices->front().end() ? nullptr : &*shape;
+}
+
 SectionPoint mirrored(SectionPoint p) { return {p.x == 0 ? 0 : -p.x, p.y}; }
 
 /// The k for which each point i is the mirror image of point k − i.
@@ -118,7 +126,8 @@ std::optional<std::vector<Points>> curvesIn(const Json& shape) {
 
 Json shortShape(const Json& shape) {
   for (const auto& [name, profile] : namedProfiles()) {
-    if (profile[kSlices][0][kShape] == shape) return name;
+    const Json* known = shapeOf(profile);
+    if (known != nullptr && *known == shape) return name;
   }
   const auto curves = curvesIn(shape);
   if (!curves || shape.size() > 1) return shape;
@@ -141,7 +150,10 @@ Json shortShape(const Json& shape) {
 
 /// What it is where it says so; else itself.
 Json wholeShape(const Json& shape) {
-  if (const Json* profile = profileNamed(shape)) return (*profile)[kSlices][0][kShape];
+  if (const Json* profile = profileNamed(shape)) {
+    const Json* known = shapeOf(*profile);
+    return known != nullptr ? *known : shape;
+  }
   if (!shape.is_object() || !shape.contains(kMirror)) return shape;
   const auto curves = curvesIn(shape);
   const Json& folds = shape[kMirror];

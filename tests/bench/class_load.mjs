@@ -2,7 +2,10 @@
 // in, and a wall for each room reads what comes. JSON on standard output.
 //
 //   node tests/bench/class_load.mjs [--pupils 250] [--rooms 1] [--bytes 200000] [--join 60] [--hand-in 60]
-//                                   [--store sqlite|postgres] [--servers 1]
+//                                   [--store sqlite|postgres] [--servers 1] [--most-p95 MS] [--most-mb MB]
+//
+// It ends with 1 when something was lost or failed, when 95 of 100 hand-ins took longer than --most-p95 until the wall had
+// them, or a server needed more memory than --most-mb.
 //
 // Servers are processes of their own, so that their memory is theirs. Bounded: at most 1000 pupils, 5 minutes.
 import { fork } from 'node:child_process';
@@ -29,15 +32,19 @@ function numbers() {
       'hand-in': { type: 'string', default: '60' },
       servers: { type: 'string', default: '1' },
       store: { type: 'string', default: 'sqlite' },
+      'most-p95': { type: 'string', default: 'Infinity' },
+      'most-mb': { type: 'string', default: 'Infinity' },
     },
   });
-  const { 'hand-in': handIn, store, ...rest } = values;
+  const { 'hand-in': handIn, store, 'most-p95': p95, 'most-mb': mb, ...rest } = values;
+  const most = { p95_ms: Number(p95), memory_mb: Number(mb) };
+  if (!(most.p95_ms > 0 && most.memory_mb > 0)) throw new Error('--most-p95 and --most-mb are numbers.');
   const all = Object.entries({ ...rest, handIn }).map(([name, text]) => {
     const value = Number(text);
     if (!(value >= 1 && value <= kMost[name])) throw new Error(`${name} is from 1 to ${kMost[name]}.`);
     return [name, value];
   });
-  return { store, ...Object.fromEntries(all) };
+  return { wanted: { store, ...Object.fromEntries(all) }, most };
 }
 
 const share = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.ceil(part * sorted.length) - 1)];
@@ -156,6 +163,20 @@ async function load({ pupils, rooms, bytes, join: joinSeconds, handIn: handInSec
   };
 }
 
+/** In sentences: what a run did not keep. */
+function faultsOf({ hand_in_to_wall, handed_in, lost, failure_count, peak_memory_mb }, { pupils }, most) {
+  const faults = [];
+  if (handed_in < pupils) faults.push(`${pupils - handed_in} pupils did not hand in.`);
+  if (lost > 0) faults.push(`${lost} hand-ins were lost.`);
+  if (failure_count > 0) faults.push(`${failure_count} requests failed.`);
+  // A run without hand-ins has no figures.
+  if (!(hand_in_to_wall.p95_ms <= most.p95_ms))
+    faults.push(`95 of 100 took ${hand_in_to_wall.p95_ms} ms, more than ${most.p95_ms}.`);
+  const memory = Math.max(...peak_memory_mb);
+  if (!(memory <= most.memory_mb)) faults.push(`A server needed ${memory} MB, more than ${most.memory_mb}.`);
+  return faults;
+}
+
 async function serve(store) {
   const { openStore } = await import('../../web/share/store.mjs');
   const { startServer: listen } = await import('../share/support/server.mjs');
@@ -167,7 +188,7 @@ async function serve(store) {
 if (process.argv[2] === '--as-server') {
   await serve(process.argv[3]);
 } else {
-  const wanted = numbers();
+  const { wanted, most } = numbers();
   setTimeout(() => {
     process.stderr.write('This takes too long.\n');
     process.exit(1);
@@ -184,6 +205,9 @@ if (process.argv[2] === '--as-server') {
     );
     const peak_memory_mb = servers.map(({ peak }) => Math.round(peak()));
     process.stdout.write(`${JSON.stringify({ ...wanted, ...result, peak_memory_mb }, null, 2)}\n`);
+    const faults = faultsOf({ ...result, peak_memory_mb }, wanted, most);
+    if (faults.length) process.stderr.write(`${faults.join('\n')}\n`);
+    process.exitCode = faults.length ? 1 : 0;
   } finally {
     for (const { end } of servers) end();
     await pause(500);

@@ -1,9 +1,9 @@
-// What a child makes of a puff with a slice, by the mouse alone: a coin with a rim, a leaf with a ridge, a letter that is a
-// doughnut. An action is a press or a stroke.
+// What a child makes of a puff with a slice, by the mouse or a finger alone: a coin with a rim, a leaf with a ridge, a letter
+// that is a doughnut. An action is a press or a stroke.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { press, strokeAlong } from './support/hands.mjs';
-import { exported, idle, onPage, state, toClient, useSite } from './support/page.mjs';
+import { exported, idle, kPhone, kTablet, onPage, state, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
 const kMostActions = 5; // 9 seconds for each of 45
@@ -20,17 +20,18 @@ const leaf = [
 
 class Child {
   actions = 0;
-  constructor(page) {
+  constructor(page, hand) {
     this.page = page;
+    this.hand = hand;
   }
   async press(words) {
     this.actions += 1;
-    await press(this.page, words);
+    await press(this.page, words, { touch: this.hand === 'finger' });
     await idle(this.page);
   }
   async draw(line) {
     this.actions += 1;
-    await strokeAlong(this.page, 'mouse', await toClient(this.page, line));
+    await strokeAlong(this.page, this.hand, await toClient(this.page, line));
     await idle(this.page);
   }
 }
@@ -40,19 +41,25 @@ const tasks = {
   'a leaf with a ridge': [leaf, 'Roof', 'roof'],
   'a letter O that is a doughnut': [round(510, 384, 170, 230), 'Ring', 'ring'],
 };
-for (const [what, [line, words, slice]] of Object.entries(tasks)) {
-  test(what, () =>
-    onPage(kit, { viewport: { width: 1440, height: 900 } }, async (page) => {
-      await page.getByRole('button', { name: 'Draw on paper' }).click();
-      await idle(page);
-      const child = new Child(page);
-      await child.press('Puff');
-      await child.draw(line);
-      await child.press(words);
-      const { parts } = await state(page);
-      assert.deepEqual([parts.length, parts[0].kind, parts[0].slice], [1, 'puff', slice]);
-      assert.ok(child.actions <= kMostActions, `${child.actions} actions`);
-      assert.ok((await exported(page, 'glb')).length > 1000);
-    }),
-  );
-}
+const devices = {
+  'by mouse': ['mouse', { viewport: { width: 1440, height: 900 } }],
+  'by finger on a tablet': ['finger', kTablet],
+  'by finger on a phone': ['finger', kPhone],
+};
+for (const [how, [hand, device]] of Object.entries(devices))
+  for (const [what, [line, words, slice]] of Object.entries(tasks)) {
+    test(`${what}, ${how}`, () =>
+      onPage(kit, device, async (page) => {
+        const paper = page.getByRole('button', { name: 'Draw on paper' });
+        await (hand === 'finger' ? paper.tap() : paper.click());
+        await idle(page);
+        const child = new Child(page, hand);
+        await child.press('Puff');
+        await child.draw(line);
+        await child.press(words);
+        const { parts } = await state(page);
+        assert.deepEqual([parts.length, parts[0].kind, parts[0].slice], [1, 'puff', slice]);
+        assert.ok(child.actions <= kMostActions, `${child.actions} actions`);
+        assert.ok((await exported(page, 'glb')).length > 1000);
+      }));
+  }

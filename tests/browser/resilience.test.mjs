@@ -215,6 +215,31 @@ test('?threads=0 asks for the single-thread engine on an isolated page', () =>
     assert.equal(parts.length, 1);
   }));
 
+/** In the page, before its scripts: threads are asked for and never begin. */
+function holdThreads() {
+  const Real = window.Worker;
+  window.Worker = class extends Real {
+    constructor(address, options) {
+      super(address, options);
+      this.isHeld = options?.name === 'em-pthread';
+      window.heldThreads = (window.heldThreads ?? 0) + this.isHeld;
+    }
+    postMessage(...message) {
+      if (!this.isHeld) super.postMessage(...message);
+    }
+  };
+}
+
+test('where no thread ever begins the page does the work itself after a while', () =>
+  onPage(kit, { alone: true, isolated: true, scripts: [holdThreads] }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const { threads, parts } = await state(page);
+    assert.ok(threads > 0);
+    assert.ok((await page.evaluate(() => window.heldThreads)) > 0);
+    assert.equal(parts.length, 1);
+    assert.ok((await exported(page, 'glb')).length > 1000);
+  }));
+
 for (const [what, spoil, says] of [
   [
     'WebGL 2',

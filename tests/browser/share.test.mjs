@@ -1,6 +1,7 @@
 // A model in a link, on stickers, in a picture and on another page (view.test.mjs: what the viewer does with it). What the text keeps is said by
 // tests/unit/io/share_text_test.cpp.
 import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
 import test from 'node:test';
 import jsqr from 'jsqr';
 import { PNG } from 'pngjs';
@@ -263,7 +264,7 @@ test('the picture has the model inside: dropped on the page it opens with its ph
     assert.match(await toastText(page), /model file is damaged.*changed on its way/);
   }));
 
-test('the HTML for another page has the viewer with its poster; a long link offers picture and file instead of a code', () =>
+test('the HTML for another page has the viewer with its poster; a long link offers picture and file instead of a code', (t) =>
   onPage(kit, { alone: true }, async (page) => {
     const dialog = await openShare(page);
     await dialog.getByText('On your own page').click();
@@ -273,6 +274,27 @@ test('the HTML for another page has the viewer with its poster; a long link offe
     const [, address] = /^<iframe src="([^"]+)"/.exec(html) ?? [];
     const { url } = await linkOf(page);
     assert.ok(address.replaceAll('&#38;', '&').startsWith(`${url}&poster=data:image/webp;base64,`), address);
+    // What is copied shows the model in the page of another site, when it is asked for.
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await dialog.getByRole('button', { name: 'Copy', exact: true }).click();
+    assert.match(await toastText(page, 'status'), /The HTML is copied/);
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    assert.equal(copied, html);
+    // A server of its own: Chromium lets no page that a test makes up ask for something on this machine.
+    const server = createServer((request, response) => {
+      response.setHeader('Content-Type', 'text/html');
+      response.end(`<!doctype html><title>A class</title><link rel="icon" href="data:,"><p>Ours:</p>${copied}`);
+    });
+    t.after(() => server.close());
+    await new Promise((resolve) => server.listen(0, 'localhost', resolve));
+    const host = await page.context().newPage();
+    await host.goto(`http://localhost:${server.address().port}/`);
+    assert.notEqual(new URL(host.url()).origin, new URL(url).origin);
+    const frame = host.frameLocator('iframe');
+    await frame.getByRole('button', { name: 'Show the model' }).click();
+    await frame.locator('body[data-state=shown]').waitFor({ timeout: 120_000 });
+    assert.equal(await frame.locator('#name').innerText(), (await state(page)).documentName);
+    await host.close();
     await page.keyboard.press('Escape');
     // Hundreds of strokes on paper make a long one.
     await done(page, 'new-sketch');

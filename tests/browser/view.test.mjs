@@ -19,12 +19,13 @@ import {
   state,
   useSite,
 } from './support/page.mjs';
+import { handOf } from './support/hands.mjs';
 import { loadWithThree } from './support/three.mjs';
 
 /** A second engine starts beside the first, and without a graphics card. */
 const kPatience = 120_000;
 
-/** A model on paper: a bent bone with a part of its own look, and a puff. */
+/** A model on paper: a loft with a look of its own. */
 async function drawOnPaper(page) {
   await done(page, 'new-sketch');
   const { width, height } = (await state(page)).picture;
@@ -33,13 +34,26 @@ async function drawOnPaper(page) {
   await done(page, 'set-colour', { colour: '#2e86c1' });
 }
 
+/** The same beside a puff. */
+async function drawBoth(page) {
+  await drawOnPaper(page);
+  const { width, height } = (await state(page)).picture;
+  const round = Array.from({ length: 24 }, (_, i) => (i * Math.PI) / 12);
+  const contour = round.map((turn) => [width * (0.3 + 0.12 * Math.cos(turn)), height * (0.75 + 0.12 * Math.sin(turn))]);
+  await done(page, 'draw-puff', { contours: [contour] });
+  assert.deepEqual(
+    (await state(page)).parts.map(({ kind }) => kind),
+    ['loft', 'puff'],
+  );
+}
+
 const linkOf = (page) => page.evaluate(() => window.spineloft.shareLink());
 
-/** The model on paper as a link, its text and a GLB, for the tests that only look at it. */
+/** Both on paper as a link, its text and a GLB, for the tests that only look at it. */
 const model = {};
 const kit = useSite((site) =>
   onPage(site, { alone: true }, async (page) => {
-    await drawOnPaper(page);
+    await drawBoth(page);
     const { url, text } = await linkOf(page);
     // A GLB of what the text keeps of it.
     await page.evaluate(async (one) => {
@@ -157,6 +171,13 @@ function coloursOf({ data }) {
   return colours.size;
 }
 
+/** How many pixels are not as the corner, which is empty. */
+function inkOf({ data }) {
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) if ([0, 1, 2].some((k) => Math.abs(data[i + k] - data[k]) > 16)) count += 1;
+  return count;
+}
+
 /** What the embedded viewer shows when it has drawn: the first frame of a model takes its time without a GPU. */
 async function drawnPicture(host) {
   const take = () => pixels(host, { x: 8, y: 8, width: 640, height: 420 });
@@ -207,7 +228,9 @@ test('a viewer of a GLB loads at most 300 KB without the model, needs no header,
     await showGlb(host, glb, 'Small');
     await told(host, 'spineloft:shown');
   });
-  const files = [...asked].filter((url) => /^http/.test(url)).map((url) => new URL(url).pathname);
+  const addresses = [...asked].filter((url) => /^(http|ws)/.test(url)).map((url) => new URL(url));
+  assert.deepEqual([...new Set(addresses.map(({ origin }) => origin))], [new URL(kit.sites.false.url).origin]);
+  const files = addresses.map(({ pathname }) => pathname);
   assert.ok(files.includes('/view.html') && files.length >= 3, files.join(' '));
   const bytes = files.reduce((sum, file) => sum + brotliCompressSync(readFileSync(join(distDir, file))).length, 0);
   assert.ok(bytes <= 300 * 1024, `${bytes} bytes: ${files.join(' ')}`);
@@ -247,31 +270,59 @@ test('a poster is a picture in the address and nothing else, and a GLB is of the
   });
 });
 
-test('mouse, finger and keys turn the model; who wants less motion sees it stand still', async () => {
+test('mouse, finger and keys turn and zoom the model; who wants less motion sees it stand still until space is pressed', async () => {
   const { url } = model;
-  await visit(url, async (other) => {
-    await shown(other);
-    assert.equal(await other.locator('#spin').getAttribute('aria-pressed'), 'false');
-    const middle = { x: kWindow.width / 2, y: kWindow.height / 2 };
-    const clip = { x: middle.x - 200, y: middle.y - 150, width: 400, height: 300 };
-    const settled = async () => {
-      await other.waitForTimeout(300);
-      return pixels(other, clip);
-    };
-    const first = await settled();
-    assert.equal(difference(first, await settled()), 0);
-    await other.mouse.move(middle.x, middle.y);
-    await other.mouse.down();
-    await other.mouse.move(middle.x + 120, middle.y + 10, { steps: 4 });
-    await other.mouse.up();
-    const dragged = await settled();
-    assert.ok(difference(first, dragged) > 0.01, 'a drag');
-    await other.locator('#canvas').press('ArrowUp');
-    const tipped = await settled();
-    assert.ok(difference(dragged, tipped) > 0.01, 'a key');
-    await other.locator('#canvas').press('h');
-    assert.ok(difference(first, await settled()) < 0.002, 'home');
-  });
+  await visit(
+    url,
+    async (other) => {
+      await shown(other);
+      const spin = other.locator('#spin');
+      const canvas = other.locator('#canvas');
+      assert.equal(await spin.getAttribute('aria-pressed'), 'false');
+      const middle = { x: kWindow.width / 2, y: kWindow.height / 2 };
+      const clip = { x: middle.x - 200, y: middle.y - 150, width: 400, height: 300 };
+      const settled = async () => {
+        await other.waitForTimeout(300);
+        return pixels(other, clip);
+      };
+      const areSame = (a, b, what) => assert.ok(difference(a, b) < 0.002, `${what}: ${difference(a, b)}`);
+      const differ = (a, b, what) => assert.ok(difference(a, b) > 0.01, `${what}: ${difference(a, b)}`);
+      const first = await settled();
+      assert.equal(difference(first, await settled()), 0);
+      for (const hand of ['mouse', 'finger']) {
+        const before = await settled();
+        const pointer = await handOf(other, hand);
+        await pointer.down(middle);
+        for (let i = 1; i <= 4; i += 1) await pointer.move({ x: middle.x + 30 * i, y: middle.y + 2 * i });
+        await pointer.up();
+        differ(before, await settled(), hand);
+      }
+      const dragged = await settled();
+      await canvas.press('ArrowUp');
+      differ(dragged, await settled(), 'a key');
+      await canvas.press('h');
+      areSame(first, await settled(), 'home');
+      await canvas.press('+');
+      const near = await settled();
+      differ(first, near, '+');
+      assert.ok(inkOf(near) > 1.2 * inkOf(first), `${inkOf(near)}, ${inkOf(first)}`);
+      await canvas.press('-');
+      areSame(first, await settled(), '+ and -');
+      await canvas.press('-');
+      const far = await settled();
+      assert.ok(inkOf(far) < inkOf(first) / 1.2, `${inkOf(far)}, ${inkOf(first)}`);
+      await canvas.press(' ');
+      await other.locator('#spin[aria-pressed=true]').waitFor();
+      await other.waitForTimeout(2000);
+      differ(far, await settled(), 'turning');
+      await canvas.press(' ');
+      await other.locator('#spin[aria-pressed=false]').waitFor();
+      const still = await settled();
+      await other.waitForTimeout(1000);
+      assert.equal(difference(still, await settled()), 0);
+    },
+    { hasTouch: true, viewport: kWindow },
+  );
 });
 
 test('"In your room" loads <model-viewer> from the own site when the device can show it', async () => {

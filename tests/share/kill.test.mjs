@@ -9,11 +9,12 @@ import { join } from 'node:path';
 import { afterEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { seeded } from '../support/random.mjs';
-import { id } from './support/stores.mjs';
+import { id, kStoreKits } from './support/stores.mjs';
 import { rawAsk } from './support/server.mjs';
 
 const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
 const kKills = kRounds > 1 ? 200 : 25;
+const kPostgresKills = kRounds > 1 ? 50 : 10;
 /** Kills until a new file is begun. */
 const kFileKills = 25;
 const kProgram = fileURLToPath(new URL('./support/mortal_server.mjs', import.meta.url));
@@ -105,37 +106,62 @@ async function check(port, ledger) {
   }
 }
 
+/**
+ * Kills servers on the store at `place` with the seeds from `first` on; how much was acknowledged. `counts`: every other
+ * one is killed before a statement of its own, the rest at any moment until `latest` milliseconds have passed.
+ */
+async function killServers(place, { first, kills, counts, latest }) {
+  const ledger = new Ledger();
+  let acknowledged = 0;
+  for (let seed = first; seed < first + kills; seed += 1) {
+    const random = seeded(7919 * (seed + 1));
+    const byCount = counts && seed % 2 === 0;
+    const { child, port, ended } = await start(byCount ? [place, String(1 + Math.floor(random() * 60))] : [place]);
+    const timer = byCount ? null : setTimeout(() => child.kill('SIGKILL'), 5 + latest * random());
+    const before = ledger.acknowledged.size;
+    await work(port, random, ledger);
+    clearTimeout(timer);
+    assert.equal(await ended, 'SIGKILL');
+    acknowledged += ledger.acknowledged.size - before;
+    if (seed % 5 === 4 || seed === first + kills - 1) {
+      const next = await start([place]);
+      await check(next.port, ledger);
+      next.child.kill('SIGTERM');
+      assert.equal(await next.ended, 0);
+      ledger.open.clear();
+      for (const path of ledger.sent.keys()) if (!ledger.acknowledged.has(path)) ledger.sent.delete(path);
+    }
+  }
+  return acknowledged;
+}
+
 test(`after ${kKills} seeded kills everything that was acknowledged is there, and nothing is half there`, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-kill-'));
   let acknowledged = 0;
   try {
     for (let first = 0; first < kKills; first += kFileKills) {
-      const file = join(folder, `${first}.sqlite`);
-      const ledger = new Ledger();
-      for (let seed = first; seed < Math.min(kKills, first + kFileKills); seed += 1) {
-        const random = seeded(7919 * (seed + 1));
-        // Every other one before a statement of its own, the rest at any moment.
-        const byCount = seed % 2 === 0;
-        const { child, port, ended } = await start(byCount ? [file, String(1 + Math.floor(random() * 60))] : [file]);
-        const timer = byCount ? null : setTimeout(() => child.kill('SIGKILL'), 5 + 250 * random());
-        const before = ledger.acknowledged.size;
-        await work(port, random, ledger);
-        clearTimeout(timer);
-        assert.equal(await ended, 'SIGKILL');
-        acknowledged += ledger.acknowledged.size - before;
-        if (seed % 5 === 4 || seed === kKills - 1) {
-          const next = await start([file]);
-          await check(next.port, ledger);
-          next.child.kill('SIGTERM');
-          assert.equal(await next.ended, 0);
-          ledger.open.clear();
-          for (const [path, body] of ledger.sent) if (!ledger.acknowledged.has(path)) ledger.sent.delete(path, body);
-        }
-      }
+      const kills = Math.min(kFileKills, kKills - first);
+      acknowledged += await killServers(join(folder, `${first}.sqlite`), { first, kills, counts: true, latest: 250 });
     }
     assert.ok(acknowledged > 3 * kKills, `${acknowledged} acknowledged`);
   } finally {
     rmSync(folder, { recursive: true, force: true });
+  }
+});
+
+const { make, skip } = kStoreKits.find(({ name }) => name === 'PostgreSQL');
+test(`after ${kPostgresKills} seeded kills on PostgreSQL likewise`, { skip }, async () => {
+  const kit = make();
+  try {
+    const acknowledged = await killServers(kit.place(), {
+      first: 1000,
+      kills: kPostgresKills,
+      counts: false,
+      latest: 700,
+    });
+    assert.ok(acknowledged > 3 * kPostgresKills, `${acknowledged} acknowledged`);
+  } finally {
+    kit.close();
   }
 });
 

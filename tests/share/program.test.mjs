@@ -1,6 +1,7 @@
 // The program around the server: its options, back-ups while it runs, an end that answers what was asked before, and that
 // what is deleted leaves the files.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { randomBytes } from 'node:crypto';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { request } from 'node:http';
@@ -9,12 +10,14 @@ import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { openStore } from '../../web/share/store.mjs';
 import { backUp, serveMain, serveOptions, startShare, UsageError } from '../../web/share/serve.mjs';
-import { id } from './support/stores.mjs';
+import { startPostgres } from './support/postgres.mjs';
+import { id, kStoreKits } from './support/stores.mjs';
 import { startServer, until } from './support/server.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'spineloft-program-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
 const file = (name) => join(folder, name);
+const { skip } = kStoreKits.find(({ name }) => name === 'PostgreSQL');
 
 const putOptions = (path, secret, length) => ({
   method: 'PUT',
@@ -55,6 +58,50 @@ test('a back-up while the server runs holds everything that was acknowledged bef
   await copy.close();
   await backUp(options); // again, over the first
 });
+
+test(
+  'a back-up of PostgreSQL is restored into another database, and a server on that serves the same models',
+  { skip },
+  async () => {
+    const cluster = startPostgres();
+    const servers = [];
+    try {
+      const first = cluster.address('first');
+      servers.push(await startServer(await openStore(first)));
+      const models = new Map();
+      const put = async (server, name, secret, bytes) => {
+        const options = putOptions(`models/${name}`, secret, bytes.length);
+        return (await fetch(`${server.url}${options.path}`, { ...options, body: bytes })).status;
+      };
+      for (let i = 0; i < 3; i += 1) {
+        const [name, secret, bytes] = [id(), id(), randomBytes(50_000)];
+        assert.equal(await put(servers[0], name, secret, bytes), 201);
+        models.set(name, { secret, bytes });
+      }
+      await serveMain(['--store', first, '--backup', file('first.dump')], { say: () => undefined, stopped: null });
+      const late = id();
+      assert.equal(await put(servers[0], late, id(), randomBytes(10)), 201);
+
+      const next = cluster.address('next');
+      const done = spawnSync('pg_restore', ['--exit-on-error', `--dbname=${next}`, file('first.dump')], {
+        encoding: 'utf8',
+      });
+      assert.equal(done.status, 0, done.stderr);
+      servers.push(await startServer(await openStore(next)));
+      const get = (name) => fetch(`${servers[1].url}models/${name}`);
+      for (const [name, { secret, bytes }] of models) {
+        assert.ok(Buffer.from(await (await get(name)).arrayBuffer()).equals(bytes));
+        assert.equal(await put(servers[1], name, secret, bytes), 200, 'its maker is known');
+      }
+      assert.equal((await get(late)).status, 404, 'it came after the back-up');
+      assert.equal(await put(servers[1], late, id(), randomBytes(10)), 201);
+      assert.equal((await servers[0].store.totals()).models, 4);
+    } finally {
+      for (const server of servers) await server.close();
+      cluster.close();
+    }
+  },
+);
 
 test('a server that ends answers what was begun, and its streams end', async () => {
   const share = await startShare(serveOptions(['--port', '0', '--store', file('c.sqlite')]), () => undefined);

@@ -2,7 +2,7 @@
 // PostgreSQL.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
-import { connect } from 'node:net';
+import { connect, createServer } from 'node:net';
 import { after, before, describe, test } from 'node:test';
 import { kStoreKits } from './support/stores.mjs';
 import { loadClient, rawAsk, startServer, until } from './support/server.mjs';
@@ -195,6 +195,32 @@ for (const { name, make, skip } of kStoreKits) {
       }
     });
 
+    test('a room stays for 14 days at most, and its join words for 90 minutes', async () => {
+      const { url } = first;
+      const secret = newId();
+      const put = async (path, body) => {
+        const headers = { Authorization: `Bearer ${secret}` };
+        if (body) headers['Content-Type'] = 'application/octet-stream';
+        const response = await fetch(`${url}${path}`, { method: 'PUT', headers, body });
+        return { status: response.status, ...(await response.json()) };
+      };
+      for (const days of ['15', '0', '-1', '1.5', 'x', '1e9', 'Infinity'])
+        assert.equal((await put(`rooms/${newId()}?days=${days}`)).status, 400, days);
+      const isIn = (expires, milliseconds) => Math.abs(expires - Date.now() - milliseconds) < 60_000;
+      const room = newId();
+      for (const [id, query] of [
+        [room, '?days=14'],
+        [newId(), ''],
+      ]) {
+        const made = await put(`rooms/${id}${query}`);
+        assert.equal(made.status, 201);
+        assert.ok(isIn(made.expires, 14 * 24 * 3_600_000), `${made.expires}`);
+      }
+      const named = await put(`rooms/${room}/words/${newId()}`, randomBytes(80));
+      assert.equal(named.status, 201);
+      assert.ok(isIn(named.expires, 90 * 60_000), `${named.expires}`);
+    });
+
     test('what expires is swept, by the clock of the server', async () => {
       const made = await new ShareServer(first.url).storeModel(randomBytes(10), 1);
       assert.equal(await first.store.sweep(Date.now() + 23 * 3_600_000), 0);
@@ -203,6 +229,79 @@ for (const { name, make, skip } of kStoreKits) {
     });
   });
 }
+
+/** Passes connections on to a server; `mute()`: of the streams of events that are open, nothing is passed on any more. */
+async function proxyTo(port) {
+  const streams = [];
+  const proxy = createServer((client) => {
+    const server = connect(port, '127.0.0.1');
+    const one = { isMute: false };
+    for (const [from, to] of [
+      [client, server],
+      [server, client],
+    ]) {
+      from.on('error', () => undefined);
+      from.on('close', () => to.destroy());
+    }
+    client.on('data', (bytes) => {
+      if (bytes.includes('/events')) streams.push(one);
+      server.write(bytes);
+    });
+    server.on('data', (bytes) => one.isMute || client.write(bytes));
+  });
+  await new Promise((resolve) => proxy.listen(0, '127.0.0.1', resolve));
+  return {
+    url: `http://127.0.0.1:${proxy.address().port}/share/v1/`,
+    streams,
+    mute: () => streams.forEach((one) => (one.isMute = true)),
+    close: () => proxy.close(),
+  };
+}
+
+test('a stream of events that has gone silent, as after a sleep, is opened again, and the same animal goes on', async () => {
+  const kit = kStoreKits[0].make();
+  const server = await startServer(await kit.open(), { limits: { beatMs: 50 } });
+  const proxy = await proxyTo(server.port);
+  const heard = listener();
+  let stop;
+  try {
+    const { key, teacher } = await classOf(server.url, 2);
+    const seat = { id: newId(), secret: newId() };
+    const pupil = new Room(new ShareServer(proxy.url), { id: key.id, key: key.key }, seat);
+    const number = await pupil.sit();
+    assert.equal(number, 3);
+    await pupil.post({ type: 'seat', animal: 'snail', number });
+    const silence = 1500;
+    stop = pupil.follow(heard, { of: 'all', silence });
+    await until(() => heard.posts.length === 1, 'the own post');
+    // Nothing happens, and the beats keep the stream open.
+    await new Promise((done) => setTimeout(done, 2.5 * silence));
+    assert.equal(proxy.streams.length, 1);
+    proxy.mute();
+    const missed = await teacher.post({ type: 'spotlight', card: null });
+    await until(() => heard.posts.length === 2, 'what was posted meanwhile');
+    assert.equal(heard.posts[1].post, missed);
+    assert.equal(proxy.streams.length, 2);
+    assert.equal(await pupil.sit(), number);
+    const next = await pupil.post({ type: 'model' });
+    await until(() => heard.posts.length === 3, 'what the pupil posts then');
+    assert.deepEqual([heard.posts[2].post, heard.posts[2].seat], [next, seat.id]);
+    const room = new ClassRoom();
+    for (const listed of heard.posts) {
+      const { message, bytes } = await teacher.read(listed.post, listed.seat);
+      room.take(listed, message, bytes);
+    }
+    assert.deepEqual(
+      [...room.pupils.values()].map(({ animal }) => animal),
+      ['snail'],
+    );
+  } finally {
+    stop?.();
+    await server.close();
+    proxy.close();
+    kit.close();
+  }
+});
 
 describe('whoever asks', () => {
   let kit, server;
@@ -306,6 +405,39 @@ describe('whoever asks', () => {
     }
     assert.equal((await rawAsk(server.port, '/share/healthz')).status, 200);
     await until(() => closed === 50, 'the slow ones are cut off', 40_000);
+  });
+
+  test('a body that is sent letter by letter is ended in its time, and gives back its share of what is received', async () => {
+    const slow = await startServer(await kit.open(), {
+      times: { requestTimeout: 2000, headersTimeout: 1000, connectionsCheckingInterval: 100 },
+    });
+    const head = (length) =>
+      `PUT /share/v1/models/${newId()} HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer ${newId()}\r\n` +
+      `Content-Type: application/octet-stream\r\nContent-Length: ${length}\r\n\r\n`;
+    const put = () => code(new ShareServer(slow.url).storeModel(randomBytes(10), 1));
+    // Together they announce as much as may be received at one time.
+    const count = 8;
+    let closed = 0;
+    const sockets = Array.from({ length: count }, () => connect(slow.port, '127.0.0.1'));
+    const started = performance.now();
+    for (const socket of sockets) {
+      socket.on('error', () => undefined);
+      socket.on('close', () => (closed += 1)).resume();
+      socket.write(head((64 / count) * 2 ** 20));
+    }
+    const typing = setInterval(() => sockets.forEach((socket) => socket.writable && socket.write('x')), 100);
+    try {
+      await until(async () => (await put()) === 'Busy', 'the bodies fill what may be received');
+      assert.equal((await rawAsk(slow.port, '/share/healthz')).status, 200);
+      await until(() => closed === count, 'the slow bodies are ended', 40_000);
+      assert.ok(performance.now() - started >= 2000, 'not before their time');
+      assert.equal(await put(), null);
+      assert.deepEqual(slow.said, []);
+    } finally {
+      clearInterval(typing);
+      sockets.forEach((socket) => socket.destroy());
+      await slow.close();
+    }
   });
 
   test('a reader of events that takes nothing is cut off, and the memory that it costs is bounded', async () => {

@@ -1,7 +1,9 @@
 // What a store promises (web/share/store.mjs), of SQLite and of PostgreSQL alike.
 import assert from 'node:assert/strict';
 import { randomBytes } from 'node:crypto';
+import { statSync } from 'node:fs';
 import { after, before, describe, test } from 'node:test';
+import { StoreFull } from '../../web/share/store.mjs';
 import { hash, id, kStoreKits } from './support/stores.mjs';
 
 const kNow = 1_700_000_000_000,
@@ -209,5 +211,68 @@ for (const { name, make, skip } of kStoreKits) {
       assert.deepEqual((await other.post(model.id, 'model')).bytes, model.bytes);
       assert.equal(await other.putModel(model, kNow), 'same');
     });
+
+    const model = (bytes) => ({ id: id(), owner: hash(), expires: kNow + kHour, bytes });
+
+    /** What is full takes nothing, and `stored` is there as before, also for a server that opens the store anew. */
+    async function isFull(store, room, stored) {
+      const before = await store.totals();
+      await assert.rejects(store.putModel(model(randomBytes(200_000)), kNow), StoreFull);
+      const post = { box: room.id, post: id(), seat: null, bytes: randomBytes(200_000) };
+      await assert.rejects(store.putPost(post, kRoomy, kNow), StoreFull);
+      assert.deepEqual(await store.totals(), before);
+      const other = await second();
+      for (const one of [store, other])
+        for (const [name, bytes] of stored) assert.ok((await one.post(name, 'model')).bytes.equals(bytes));
+    }
+
+    if (name === 'SQLite')
+      test('a file that may have no more bytes says that it is full, and takes again what has room', async () => {
+        const diskBytes = 2 ** 20;
+        const store = await fresh({ diskBytes });
+        const room = await withRoom(store);
+        const stored = new Map();
+        let failure = null;
+        while (!failure && stored.size < 100) {
+          const one = model(randomBytes(50_000));
+          failure = await store.putModel(one, kNow).then(
+            () => void stored.set(one.id, one.bytes),
+            (error) => error,
+          );
+        }
+        assert.ok(failure instanceof StoreFull, String(failure));
+        assert.ok(stored.size > 10, `${stored.size} stored`);
+        await isFull(store, room, stored);
+        await store.scrub();
+        assert.ok(statSync(kit.address()).size <= diskBytes);
+        for (const name of [...stored.keys()].slice(0, 5)) {
+          await store.removeBox(name);
+          stored.delete(name);
+        }
+        assert.equal(await store.putModel(model(randomBytes(200_000)), kNow), 'made');
+      });
+    else
+      test('a database that has no more room on its disk or in its memory says that it is full', async () => {
+        const store = await fresh();
+        const room = await withRoom(store);
+        const first = model(randomBytes(1000));
+        await store.putModel(first, kNow);
+        const stored = new Map([[first.id, first.bytes]]);
+        const failWith = (sqlstate) =>
+          store.ask(`
+            CREATE OR REPLACE FUNCTION fail() RETURNS trigger LANGUAGE plpgsql AS
+              $$ BEGIN RAISE EXCEPTION 'no more' USING ERRCODE = '${sqlstate}'; END $$;
+            CREATE OR REPLACE TRIGGER fail BEFORE INSERT ON spineloft_posts EXECUTE FUNCTION fail();
+            CREATE OR REPLACE TRIGGER fail BEFORE DELETE ON spineloft_words EXECUTE FUNCTION fail();`);
+        for (const sqlstate of ['53100', '53200']) {
+          await failWith(sqlstate);
+          await isFull(store, room, stored);
+          await assert.rejects(store.dropWords(room.id), StoreFull);
+        }
+        await failWith('57014'); // query_canceled
+        await assert.rejects(store.putModel(model(randomBytes(10)), kNow), { code: '57014' });
+        await store.ask('DROP FUNCTION fail CASCADE');
+        assert.equal(await store.putModel(model(randomBytes(10)), kNow), 'made');
+      });
   });
 }

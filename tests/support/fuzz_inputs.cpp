@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/crc32.h"
 #include "engine/base/hash.h"
 #include "engine/base/limits.h"
 #include "engine/document/checks.h"
@@ -14,6 +15,7 @@
 #include "engine/io/picture_file.h"
 #include "engine/io/project_file.h"
 #include "engine/io/share_text.h"
+#include "tests/support/photo_copies.h"
 
 namespace spineloft::testing {
 namespace {
@@ -79,6 +81,18 @@ std::string tryJournal(std::string_view text) {
   return {};
 }
 
+/// As versions 1 and 2: the check sum stands behind, whole. The text of no version yet.
+std::string sealAsFirst(std::vector<std::uint8_t> bytes) {
+  const std::uint32_t sum = crc32(bytes);
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(sum >> shift));
+  const std::string body = base64url(bytes);
+  std::string text(1, '-');
+  std::size_t length = body.size();
+  for (; length >= 32; length /= 32) text += kDigits64[32 + length % 32];
+  text += kDigits64[length];
+  return text + body;
+}
+
 }  // namespace
 
 std::string tryProject(std::span<const std::uint8_t> input) {
@@ -120,8 +134,18 @@ std::string tryPicture(std::span<const std::uint8_t> input) {
   return {};
 }
 
+std::string shareTextOf(std::span<const std::uint8_t> input) {
+  const int first = input.empty() ? 0 : input[0] - '0';
+  const bool isTold = first >= 1 && first <= kShareVersion;
+  const auto packed = input.subspan(isTold ? 1 : 0);
+  std::vector<std::uint8_t> bytes(packed.begin(), packed.end());
+  std::string text = isTold && first < 3 ? sealAsFirst(std::move(bytes)) : sealShareText(std::move(bytes));
+  if (isTold) text.front() = static_cast<char>('0' + first);
+  return text;
+}
+
 std::string tryShare(std::span<const std::uint8_t> input) {
-  const auto read = readShareText(sealShareText({input.begin(), input.end()}));
+  const auto read = readShareText(shareTextOf(input));
   if (!read) return {};
   const document::Document kept = shareable(read.value());
   const auto text = writeShareText(read.value());

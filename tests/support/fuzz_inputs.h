@@ -16,8 +16,12 @@ std::string tryProject(std::span<const std::uint8_t> input);
 /// Reads any bytes as a picture file of any use. Returns what went wrong.
 std::string tryPicture(std::span<const std::uint8_t> input);
 
-/// Reads any bytes as the packed document of a shared text, whose check sum is set right. What comes of it must give a
-/// text that reads as the same. Returns what went wrong.
+/// The text of a version, '1' … the last one as the first byte (else of the last one), with these bytes in it and the
+/// check sum set right.
+std::string shareTextOf(std::span<const std::uint8_t> input);
+
+/// Reads any bytes as shareTextOf them. What comes of it must give a text that reads as the same. Returns what went
+/// wrong.
 std::string tryShare(std::span<const std::uint8_t> input);
 
 }  // namespace spineloft::testing

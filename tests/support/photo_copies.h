@@ -11,16 +11,17 @@
 
 namespace spineloft::testing {
 
+inline constexpr std::string_view kDigits64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
 /// RFC 4648, section 5, without padding: bit by bit.
 inline std::string base64url(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
   std::string text;
   for (std::size_t bit = 0; bit < 8 * bytes.size(); bit += 6) {
     std::size_t digit = 0;
     for (std::size_t at = bit; at < bit + 6; ++at) {
       digit = 2 * digit + (at < 8 * bytes.size() ? bytes[at / 8] >> (7 - at % 8) & 1U : 0U);
     }
-    text += kDigits[digit];
+    text += kDigits64[digit];
   }
   return text;
 }

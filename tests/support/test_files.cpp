@@ -34,7 +34,7 @@ std::vector<std::uint8_t> testFile(const std::string& path) { return bytesOf(tes
 std::vector<std::pair<std::string, std::vector<std::uint8_t>>> testFiles(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kTests / folder)) {
-    names.push_back(entry.path().filename().string());
+    if (entry.is_regular_file()) names.push_back(entry.path().filename().string());
   }
   std::ranges::sort(names);
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> files;

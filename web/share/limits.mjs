@@ -1,4 +1,5 @@
-// What the share server takes, in one place. The guide and the hosting page state these numbers.
+// What the share server takes, in one place. Pages of assets/docs state some of these numbers: hosting, data-protection,
+// and the guide.
 
 const kKilobyte = 1024,
   kMegabyte = 1024 * kKilobyte,

@@ -97,8 +97,11 @@ const kFunctions = `
 const kBox = 'SELECT kind, owner, expires, frozen, next, bytes, seats FROM spineloft_boxes WHERE id = $1';
 const kListed = 'SELECT seq, post, seat, size, at FROM spineloft_posts WHERE box = $1 AND seq > $2';
 
-/** disk_full and the other shortages of class 53. */
+/** disk_full and out_of_memory (class 53). */
 const kFull = /^53(100|200)$/;
+
+/** What a failed statement is told as: it has changed nothing. */
+const told = (error) => (kFull.test(error.code ?? '') ? new StoreFull() : error);
 
 export class PostgresStore {
   static async open(address, { connections = 10 } = {}) {
@@ -161,7 +164,11 @@ export class PostgresStore {
   }
 
   async ask(sql, values) {
-    return (await this.pool.query(sql, values)).rows;
+    try {
+      return (await this.pool.query(sql, values)).rows;
+    } catch (error) {
+      throw told(error);
+    }
   }
 
   /** One transaction; a full disk is told as such, and has changed nothing. */
@@ -177,8 +184,7 @@ export class PostgresStore {
       await client.query('ROLLBACK').catch((lost) => {
         broken = lost;
       });
-      if (kFull.test(error.code ?? '')) throw new StoreFull();
-      throw error;
+      throw told(error);
     } finally {
       client.release(broken);
     }
@@ -247,16 +253,11 @@ export class PostgresStore {
     });
   }
 
-  /** One statement, which is a transaction of its own; a full disk is told as such, and has changed nothing. */
+  /** One statement, which is a transaction of its own. */
   async call(name, values) {
     const places = values.map((_, i) => `$${i + 1}`).join(', ');
-    try {
-      const [row] = await this.ask(`SELECT * FROM ${name}(${places})`, values);
-      return row;
-    } catch (error) {
-      if (kFull.test(error.code ?? '')) throw new StoreFull();
-      throw error;
-    }
+    const [row] = await this.ask(`SELECT * FROM ${name}(${places})`, values);
+    return row;
   }
 
   putSeat({ box, seat, secret }, most, now) {

@@ -1,5 +1,5 @@
 // The share server: what a browser encrypted is kept for others who have the key, which is never sent here. Its requests
-// and answers are in assets/docs/hosting.md.
+// are in models.mjs and rooms.mjs.
 import rateLimit from '@fastify/rate-limit';
 import fastify from 'fastify';
 import { Counter, Gauge, Histogram, Registry } from 'prom-client';
@@ -158,7 +158,7 @@ export async function makeShare({
   });
   const addresses = new Addresses();
   const misses = new Misses({ ...kLimits.wrongWords, ...limits.wrongWords });
-  const watchers = new Watchers(store, clock);
+  const watchers = new Watchers(store, clock, limits.beatMs);
   let isClosing = false;
 
   app.addHook('onRequest', async (request, reply) => {

@@ -10,12 +10,12 @@ const kComeBackMs = 1500;
 const kForAll = new Set(['owner', 'state', 'ended']);
 
 export class Watchers {
-  constructor(store, clock) {
+  constructor(store, clock, beatMs = kBeatMs) {
     this.store = store;
     this.clock = clock;
     this.open = new Map();
     this.count = 0;
-    this.beat = setInterval(() => this.each((stream) => stream.wake()), kBeatMs).unref();
+    this.beat = setInterval(() => this.each((stream) => stream.wake()), beatMs).unref();
   }
 
   each(work) {

@@ -21,8 +21,8 @@ struct EndOnCurve {
 /// outwards; from there on, and behind the spine, they go straight. So each place in a frame is told by one pair of
 /// numbers. A difference of either number moves an end by at most as much. Cost: one tracing of the curves.
 ///
-/// Share texts are told by these curves from version 3 on: whoever changes cleanSpine, the field or the tracing changes what
-/// they say (tests/golden/share-v3 and -v4), and has to keep the curves of today for them.
+/// Share texts are told by these curves from version 3 on: whoever changes cleanSpine, the field or the tracing changes
+/// what they say (tests/golden/share-v3 and -v4), and has to keep the curves of today for them.
 class EndCurves {
  public:
   /// A spine that cleanSpine made in a picture of this size.

@@ -155,8 +155,8 @@ export async function findControl(page, words, { kind, row } = {}) {
   return found.find((one) => one.inSight) ?? found[0] ?? null;
 }
 
-/** The same, scrolled into sight by the wheel. */
-export async function control(page, words, which = {}) {
+/** The same, scrolled into sight by the wheel or, where `touch` is true, by a finger. */
+export async function control(page, words, { touch = false, ...which } = {}) {
   const box = await page.locator('#canvas').boundingBox();
   for (let turns = 0; turns < 40; turns += 1) {
     const found = await findControl(page, words, which);
@@ -167,8 +167,13 @@ export async function control(page, words, which = {}) {
     if (found.inSight) return found;
     const [x, y] = middleOf(found);
     const [panel] = await onCanvas(page, [x, Math.min(Math.max(y, 60), box.height - 60)]);
+    const isBelow = y > box.height / 2;
+    if (touch) {
+      await dragFingers(page, [panel], [{ x: panel.x, y: panel.y + (isBelow ? -60 : 60) }]);
+      continue;
+    }
     await page.mouse.move(panel.x, panel.y);
-    await page.mouse.wheel(0, y > box.height / 2 ? 120 : -120);
+    await page.mouse.wheel(0, isBelow ? 120 : -120);
     await framed(page);
   }
   throw new Error(`"${words}" does not come into sight`);
@@ -182,7 +187,7 @@ export async function placeOf(page, words, which) {
 
 /** Presses what the canvas shows with these words, with the mouse or, where `touch` is true, with a finger. */
 export async function press(page, words, { touch = false, ...which } = {}) {
-  const found = await control(page, words, which);
+  const found = await control(page, words, { touch, ...which });
   assert.ok(found.enabled, `"${words}" can be pressed`);
   const [at] = await onCanvas(page, middleOf(found));
   if (touch) await page.touchscreen.tap(at.x, at.y);

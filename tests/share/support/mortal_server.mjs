@@ -1,5 +1,5 @@
-// A share server that a test kills: `node mortal_server.mjs FILE [WRITE]`. It prints its port; with WRITE it ends itself
-// by SIGKILL before the statement of that number that writes, or before what it wrote is acknowledged.
+// A share server that a test kills: `node mortal_server.mjs STORE [WRITE]`. It prints its port; with WRITE, on a
+// file, it ends itself by SIGKILL before the statement of that number that writes, or before what it wrote is acknowledged.
 import { openStore } from '../../../web/share/store.mjs';
 import { startServer } from './server.mjs';
 

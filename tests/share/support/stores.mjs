@@ -8,11 +8,15 @@ import { postgresPrograms, startPostgres } from './postgres.mjs';
 
 let number = 0;
 
-/** `open()` gives a new empty store, `again()` another one on the same data, as a second server has it. */
+/**
+ * `open()` gives a new empty store, `again()` another one on the same data, as a second server has it; `place()` the
+ * address of a store that is not there yet.
+ */
 function kitOf(name, { place, close = () => undefined }) {
   let address;
   return {
     name,
+    place,
     async open(options) {
       address = place();
       return openStore(address, options);

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/base/rng.h"
@@ -24,6 +25,11 @@ using namespace spineloft::io;
 using namespace spineloft::testing;
 
 namespace {
+
+std::string firstLine(const std::vector<std::uint8_t>& bytes) {
+  const std::string text(bytes.begin(), bytes.end());
+  return text.substr(0, text.find('\n'));
+}
 
 /// The keys of objects anywhere in the JSON.
 void collectKeys(const Json& json, std::set<std::string>& keys) {
@@ -368,20 +374,41 @@ TEST_CASE("the golden link of every version opens as the model that was shared")
     const std::string name = "golden/share-v" + std::to_string(version);
     const auto text = testFile(name + ".txt"), shared = testFile(name + ".json");
     ReadNotes notes;
-    const auto read = readShareText({reinterpret_cast<const char*>(text.data()), text.size()}, &notes);
+    const auto read = readShareText(firstLine(text), &notes);
     REQUIRE_MESSAGE(read.ok(), failureSentence(read.failure()));
     CHECK(notes.clean());
-    const std::string wanted(shared.begin(), shared.end());
-    CHECK(writeDocument(read.value()) == wanted.substr(0, wanted.find('\n')));
+    CHECK(writeDocument(read.value()) == firstLine(shared));
   }
   // Texts are written in the last one.
   CHECK(writeShareText(completeDocument()).value().front() == '0' + kShareVersion);
 }
 
+TEST_CASE("a golden link of every kind of part opens as the model that was shared") {
+  std::set<std::size_t> kinds;  // places in document::Recipe
+  for (const auto& [name, bytes] : testFiles("golden/links")) {
+    if (!name.ends_with(".txt")) continue;
+    CAPTURE(name);
+    ReadNotes notes;
+    const auto read = readShareText(firstLine(bytes), &notes);
+    REQUIRE_MESSAGE(read.ok(), failureSentence(read.failure()));
+    CHECK(notes.clean());
+    const auto wanted = testFile("golden/links/" + name.substr(0, name.find('.')) + ".json");
+    CHECK(writeDocument(read.value()) == firstLine(wanted));
+    for (const auto& part : read.value().parts) kinds.insert(part->recipe.index());
+  }
+  CHECK(kinds.size() == std::variant_size_v<document::Recipe>);
+}
+
 TEST_CASE("what the fuzzers once found or began with does no harm") {
   for (const auto& [name, bytes] : testFiles("corpus/project")) CHECK_MESSAGE(tryProject(bytes) == "", name);
   for (const auto& [name, bytes] : testFiles("corpus/picture")) CHECK_MESSAGE(tryPicture(bytes) == "", name);
-  for (const auto& [name, bytes] : testFiles("corpus/share")) CHECK_MESSAGE(tryShare(bytes) == "", name);
+  std::set<char> read;  // versions of texts that open
+  for (const auto& [name, bytes] : testFiles("corpus/share")) {
+    CHECK_MESSAGE(tryShare(bytes) == "", name);
+    const std::string text = shareTextOf(bytes);
+    if (readShareText(text).ok()) read.insert(text.front());
+  }
+  CHECK(read.size() == kShareVersion);
   for (const auto& [name, bytes] : testFiles("corpus/document")) CHECK_MESSAGE(tryDocument(bytes) == "", name);
 }
 

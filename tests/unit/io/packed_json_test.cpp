@@ -9,6 +9,7 @@
 #include "engine/base/rng.h"
 #include "engine/io/bit_coder.h"
 #include "engine/io/packed_json.h"
+#include "engine/io/share_text.h"
 #include "tests/support/rounds.h"
 
 using namespace spineloft;
@@ -112,11 +113,19 @@ TEST_CASE("a line of even steps takes one bit and a half a number at most, whate
   CHECK(packJson(line).value().size() < 190);
 }
 
-TEST_CASE("what nests too deep or holds millions of values is not packed") {
+TEST_CASE("what nests too deep or holds millions of values is neither packed nor unpacked") {
   Json deep;
   for (int i = 0; i < 2 * kMostPackedDepth; ++i) deep = Json::array({deep});
-  CHECK_FALSE(packJson(deep).ok());
-  CHECK_FALSE(packJson(Json(std::vector<int>(kMostPacked + 1, 7))).ok());
+  const Json longList = std::vector<int>(kMostPacked + 1, 7);
+  const Json longText = std::string(kMostPacked + 1, 'a');
+  for (const Json& much : {deep, longList, longText}) {
+    CHECK_FALSE(packJson(much).ok());
+    const auto hostile = packJson(much, {.values = 4 * kMostPacked, .depth = 4 * kMostPackedDepth});
+    REQUIRE(hostile.ok());
+    CHECK(hostile.value().size() < 20'000);
+    CHECK(unpackJson(hostile.value()).error() == Error::ProjectInvalid);
+    CHECK_FALSE(readShareText(sealShareText(hostile.value())).ok());
+  }
 }
 
 TEST_CASE("any bytes unpack to some JSON that packs again, or to an error") {

@@ -244,22 +244,20 @@ export class Classroom {
       this.wordsTimer = window.setTimeout(() => void this.nameJoining().then(() => this.draw()), left + 500);
   }
 
+  /** With a model of the wall, or with what is open. Pupils need not know the wall: the model is posted for them. */
   private async startEverybody(card?: Card): Promise<void> {
     const room = this.room!;
-    if (card) {
-      await room.post({ type: 'start', model: card.model, name: card.name });
-    } else {
-      if (this.page.isOnStartPage())
-        throw new Failure(
-          'NothingToShow',
-          'Open a picture or a model first: everybody begins with what you have open.',
-        );
-      const bytes = await window.spineloft.exportModel('spineloft');
-      const { name } = this.page.engine()!.about();
-      const model = await room.post({ type: 'model' }, bytes);
-      await room.post({ type: 'start', model, name });
-    }
+    const { name, bytes } = card ? { name: card.name, bytes: await this.glbOf(card) } : await this.openNow();
+    const model = await room.post({ type: 'model' }, bytes);
+    await room.post({ type: 'start', model, name });
     toast('Everybody can begin with it now.');
+  }
+
+  /** What is open here, as a model file. */
+  private async openNow(): Promise<{ name: string; bytes: Uint8Array }> {
+    if (this.page.isOnStartPage())
+      throw new Failure('NothingToShow', 'Open a picture or a model first: everybody begins with what you have open.');
+    return { bytes: await window.spineloft.exportModel('spineloft'), name: this.page.engine()!.about().name };
   }
 
   private visible(): Card[] {
@@ -321,10 +319,9 @@ export class Classroom {
     const begin = () =>
       this.trying(async () => {
         const read = await this.room!.read(model, null).catch(() => null);
-        const card = read ? null : [...(this.live?.room.cards.values() ?? [])].find((one) => one.model === model);
-        const bytes = read?.message.type === 'model' ? read.bytes : card ? await this.glbOf(card) : null;
-        if (!bytes) throw new Failure('NotThere', 'This model could not be read. Ask for it again.');
-        await this.page.openModel(bytes);
+        if (read?.message.type !== 'model')
+          throw new Failure('NotThere', 'This model could not be read. Ask for it again.');
+        await this.page.openModel(read.bytes);
         this.closeWall();
       });
     if (this.page.isOnStartPage()) return begin();

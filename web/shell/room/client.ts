@@ -213,8 +213,14 @@ export class Room {
     return this.server.ask(`${this.path}/words`, { method: 'DELETE', ...this.own() });
   }
 
-  /** Tells `listener` all posts (or the teacher's alone) and what comes, through lost connections, until the function that it returns is called. */
-  follow(listener: RoomListener, { of, after = 0 }: { of: 'all' | 'teacher'; after?: number }): () => void {
+  /**
+   * Tells `listener` all posts (or the teacher's alone) and what comes, through lost connections and those that say
+   * nothing for `silence` milliseconds, until the function that it returns is called.
+   */
+  follow(
+    listener: RoomListener,
+    { of, after = 0, silence = kSilenceMs }: { of: 'all' | 'teacher'; after?: number; silence?: number },
+  ): () => void {
     const stopping = new AbortController();
     const { signal } = stopping;
     let last = after;
@@ -229,7 +235,7 @@ export class Room {
     };
     let tries = 0;
     const once = () =>
-      whileHeard(signal, async (alive, heard) => {
+      whileHeard(signal, silence, async (alive, heard) => {
         const path = `${this.path}/events?after=${last}${of === 'teacher' ? '&of=teacher' : ''}`;
         const response = await this.server.ask(path, { signal: alive });
         const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
@@ -265,17 +271,18 @@ export class Room {
 /** The server sends something every 15 s: a connection that is silent for longer is dead, as after a sleep. */
 const kSilenceMs = 40_000;
 
-/** Runs `work` with a signal that is also given when it has not called `heard` for too long. */
+/** Runs `work` with a signal that is also given when it has not called `heard` for `silence` milliseconds. */
 async function whileHeard(
   stop: AbortSignal,
+  silence: number,
   work: (alive: AbortSignal, heard: () => void) => Promise<void>,
 ): Promise<void> {
   const alive = new AbortController();
   const end = () => alive.abort();
   let last = performance.now();
   const timer = setInterval(() => {
-    if (performance.now() - last > kSilenceMs) end();
-  }, 5000);
+    if (performance.now() - last > silence) end();
+  }, silence / 8);
   stop.addEventListener('abort', end);
   try {
     await work(alive.signal, () => {

@@ -9,6 +9,14 @@ import { iconButton } from './faces.ts';
 
 const kDays = [1, 7, 14];
 
+/** What https would make better; nothing where the page has it. */
+function plainNote(): Node[] {
+  if (isSecureContext) return [];
+  const text =
+    'This address is plain http. Everything works; with https the page would be faster and would also open without a network.';
+  return [make('p', { class: 'class-note' }, text)];
+}
+
 /** Asks a teacher whether to open a class and for how many days its wall stays; null: not now. */
 export function askOpenClass(): Promise<number | null> {
   const choice = make('select', { id: 'class-days' });
@@ -24,14 +32,7 @@ export function askOpenClass(): Promise<number | null> {
     choice,
     make('div', { class: 'dialog-buttons' }, open),
   );
-  if (!isSecureContext)
-    form.append(
-      make(
-        'p',
-        { class: 'class-note' },
-        'This address is plain http. Everything works; with https the page would be faster and would also open without a network.',
-      ),
-    );
+  form.append(...plainNote());
   const dialog = openDialog('Open a class', [form], 'dialog class-dialog');
   return new Promise((resolve) => {
     let answer: number | null = null;
@@ -90,7 +91,7 @@ export function askWords<T>(find: (typed: string) => Promise<T>): Promise<T | nu
 
 /** Asks which animal a pupil wants to be; null: none. */
 export function askSeat(): Promise<Animal | null> {
-  return chooseAnimal(t('Which animal are you?'), [], 'dialog class-dialog');
+  return chooseAnimal(t('Which animal are you?'), plainNote(), 'dialog class-dialog');
 }
 
 export interface CardActions {
