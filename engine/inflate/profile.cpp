@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/geometry/axis_clip.h"
-#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/inflate/crossing.h"
@@ -44,16 +43,24 @@ Result<Curves> curvesOf(const sections::SectionShape& shape) {
   return curves;
 }
 
+/// Mirror images of points along a curve run backwards along another one: each is looked for from the last one on.
 bool isMirrored(const Curves& curves) {
-  const auto away = [&](SectionPoint p) {
-    double least = INFINITY;
-    for (const Curve& curve : curves) {
-      least = std::min(least, geometry::distanceToLine(p, std::span(curve), true));
+  std::vector<std::array<SectionPoint, 2>> edges;
+  for (const Curve& curve : curves) {
+    for (std::size_t i = 0; i < curve.size(); ++i) edges.push_back({curve[i], curve[(i + 1) % curve.size()]});
+  }
+  std::size_t last = 0;
+  const auto holds = [&](SectionPoint p) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const std::size_t edge = (last + edges.size() - k) % edges.size();
+      if (geometry::distanceToSegment(p, edges[edge][0], edges[edge][1]) > kLopsided) continue;
+      last = edge;
+      return true;
     }
-    return least;
+    return false;
   };
   return std::ranges::all_of(curves, [&](const Curve& curve) {
-    return std::ranges::all_of(curve, [&](SectionPoint p) { return away({-p.x, p.y}) <= kLopsided; });
+    return std::ranges::all_of(curve, [&](SectionPoint p) { return holds({-p.x, p.y}); });
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include "engine/inflate/boned_mesh.h"
 #include "engine/inflate/row_lines.h"
+#include "engine/mesh/self_crossing.h"
 
 namespace spineloft::inflate {
 namespace {
@@ -85,10 +86,8 @@ struct Strip {
   std::span<const SectionPoint> row;
 };
 
-bool isSameLevel(SectionPoint a, SectionPoint b) {
-  constexpr double kSame = 1e-6;
-  return std::abs(a.x - b.x) < kSame;
-}
+constexpr double kSameLevel = 1e-6;
+bool isSameLevel(SectionPoint a, SectionPoint b) { return std::abs(a.x - b.x) < kSameLevel; }
 
 /// Between two rows those at the levels of others, in order, none near another one.
 std::vector<ProfileRow> rowsBetween(std::span<const SectionPoint> a, std::span<const SectionPoint> b,
@@ -384,6 +383,23 @@ class Surface {
   bool run() {
     return std::ranges::all_of(curves_, [&](const Curve& curve) { return add(curve); });
   }
+  /// Whether rows cross in the plane that are not joined to one another: of several curves, or of one that goes out and
+  /// in more than once. Where none do the surface does not go through itself.
+  bool rowsCross() const {
+    const auto turns = [](const Curve& curve) {
+      int count = 0;
+      double last = 0;
+      for (std::size_t j = 1; j < curve.rows.size(); ++j) {
+        const double way = curve.rows[j][0].x - curve.rows[j - 1][0].x;
+        if (std::abs(way) < kSameLevel) continue;
+        count += last != 0 && (way > 0) != (last > 0);
+        last = way;
+      }
+      return count;
+    };
+    return (curves_.size() > 1 || std::ranges::any_of(curves_, [&](const Curve& curve) { return turns(curve) > 1; })) &&
+           table_.cross();
+  }
 
  private:
   struct Curve {
@@ -464,8 +480,8 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
   for (int attempt = 0; attempt <= kTries; ++attempt) {
     // Rows next to an outline may cross it where the fields' mesh, which is coarser, has chords of it.
     const bool any = attempt == kTries;
-    if (Surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh).run())
-      return Done{};
+    Surface surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh);
+    if (surface.run() && (any || !surface.rowsCross() || !mesh::selfCrossing(mesh))) return Done{};
     mesh.positions.resize(points);
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);

@@ -1,6 +1,7 @@
 #include "engine/io/document_json.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <new>
 #include <set>
@@ -59,12 +60,17 @@ std::string shortNumber(double value) {
   return text;
 }
 
-/// The same, with what is wrong.
+/// Says what is wrong and what to do: "That outline is too small to make a part of: draw a larger one …".
 void tell(const Failure& failure, ReadNotes& notes) {
-  if (!notes.why.empty()) return;
-  const std::string sentence = failureSentence({failure.error, {}});
-  notes.why = failure.detail.empty() ? sentence.substr(0, sentence.find('.')) : failure.detail;
+  std::string words = failure.detail.empty() ? std::string(errorSentence(failure.error)) : failure.detail;
+  if (words.ends_with('.')) words.pop_back();
+  for (std::size_t at = words.find(". "); at != std::string::npos; at = words.find(". ")) {
+    words[at] = ':';
+    words[at + 2] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[at + 2])));
+  }
+  notes.say(std::move(words));
 }
+/// The same, with what is wrong.
 template <class T>
 void mend(const Status& right, T& value, T sound, ReadNotes& notes) {
   if (!right) tell(right.failure(), notes);
