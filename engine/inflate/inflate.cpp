@@ -150,16 +150,16 @@ double spacingFor(double area, int points, const MatchedCurves& curves) {
   return std::sqrt(length * area / (std::sqrt(0.75) * points));
 }
 
-/// Without thin triangles, as far as that moves no point farther `off` the surface. Of `several` surfaces none is moved
-/// through another one.
-mesh::TriMesh tidied(mesh::TriMesh mesh, double off, bool several) {
+/// Without thin triangles, as far as that moves no point farther `off` the surface, nor, of one that is not `plain`, a
+/// stretch of it through another one.
+mesh::TriMesh tidied(mesh::TriMesh mesh, double off, bool plain) {
   constexpr double kLess = 0.125;
   for (const double share : {1.0, kLess}) {
     mesh::TriMesh tidy = mesh;
     mesh::ThinLimits limits;
     limits.off = share * off;
     mesh::removeThinTriangles(tidy, limits);
-    if (!several || !mesh::selfCrossing(tidy)) return tidy;
+    if (plain || !mesh::selfCrossing(tidy)) return tidy;
   }
   return mesh;
 }
@@ -188,7 +188,7 @@ Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture
     if (!status) return status.failure();
   }
   return tidied(std::move(mesh), kMostOff * (rim ? std::min(rows.spacing, reach) : rows.spacing),
-                curves.value().size() > 1);
+                isPlain(curves.value()));
 }
 
 Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,

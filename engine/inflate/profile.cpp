@@ -296,6 +296,18 @@ Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, Inflat
   return matched;
 }
 
+bool isPlain(const MatchedCurves& curves) {
+  if (curves.size() != 1 || curves.front().size() != 1 || curves.front().front().closed) return false;
+  const Curve& line = curves.front().front().points;
+  bool back = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (i + 1 < line.size() && isCorner(line[i - 1], line[i], line[i + 1])) return false;
+    if (back && line[i].x > line[i - 1].x + kSame) return false;
+    back = back || line[i].x < line[i - 1].x - kSame;
+  }
+  return true;
+}
+
 Topology topologyOf(const std::vector<ProfileCurve>& curves, int holes) {
   const auto beside = static_cast<int>(std::ranges::count_if(curves, &ProfileCurve::closed));
   const int middle = static_cast<int>(curves.size()) - beside;

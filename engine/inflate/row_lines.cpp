@@ -19,7 +19,7 @@ constexpr double kOutline = 1 - 1e-9;  ///< s of the outline itself
 constexpr double kLevels = 1 << 24;    ///< levels from 0 to 1: those of both sides of a slice are the same
 constexpr double kOfWidth = 0.25;      ///< of the half width, between points of a row
 constexpr double kOfAway = 1.2;        ///< of the distance to the skeleton
-constexpr double kTurn = 0.25;         ///< radians that a row turns by from point to point
+constexpr double kTurn = 0.25;         ///< radians that a row within turns by from point to point
 constexpr double kNearest = 0.3;       ///< of what the place allows: what bends within less is a corner
 constexpr double kLeastInRow = 6;
 
@@ -44,9 +44,9 @@ std::vector<double> turnsAlong(const Row& line) {
   return turns;
 }
 
-/// The closed line with points so far apart as the place and the line's turning allow, even between corners, which
-/// stay.
-Row resampled(const Row& line, double spacing) {
+/// The closed line with points so far apart as the place and the line's turning allow, `turn` radians from point to
+/// point, even between corners, which stay.
+Row resampled(const Row& line, double spacing, double turn) {
   const std::size_t n = line.size();
   std::vector<SectionPoint> closed;
   std::vector<double> steps(n + 1, 0.0);
@@ -57,7 +57,7 @@ Row resampled(const Row& line, double spacing) {
     const double most =
         std::max(1e-9, std::min({spacing, kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2}));
     const double even = distance(a.at, b.at) / most;
-    steps[i + 1] = steps[i] + std::clamp(turns[i] / kTurn, even, even / kNearest);
+    steps[i + 1] = steps[i] + std::clamp(turns[i] / turn, even, even / kNearest);
     finest = std::min(finest, most);
     closed.push_back(a.at);
   }
@@ -160,7 +160,7 @@ std::vector<Row> RowTable::traced(std::span<const double> levels) const {
   std::vector<Row> rows(fields_.sizes.size());
   for (LevelLine& line : levelLines(fields_, levels)) {
     if (!rows[line.side].empty()) return {};
-    rows[line.side] = resampled(line.points, spacing_);
+    rows[line.side] = resampled(line.points, spacing_, kTurn);
   }
   const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
   return whole ? rows : std::vector<Row>{};
@@ -189,7 +189,7 @@ std::vector<Row> RowTable::outlines() const {
       row.push_back(there);
     }
     std::ranges::reverse(row);  // the region on the right
-    rows.push_back(resampled(row, spacing_));
+    rows.push_back(resampled(row, spacing_, INFINITY));
   }
   return rows;
 }

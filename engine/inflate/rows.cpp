@@ -86,8 +86,10 @@ struct Strip {
   std::span<const SectionPoint> row;
 };
 
-constexpr double kSameLevel = 1e-6;
-bool isSameLevel(SectionPoint a, SectionPoint b) { return std::abs(a.x - b.x) < kSameLevel; }
+bool isSameLevel(SectionPoint a, SectionPoint b) {
+  constexpr double kSame = 1e-6;
+  return std::abs(a.x - b.x) < kSame;
+}
 
 /// Between two rows those at the levels of others, in order, none near another one.
 std::vector<ProfileRow> rowsBetween(std::span<const SectionPoint> a, std::span<const SectionPoint> b,
@@ -383,23 +385,8 @@ class Surface {
   bool run() {
     return std::ranges::all_of(curves_, [&](const Curve& curve) { return add(curve); });
   }
-  /// Whether rows cross in the plane that are not joined to one another: of several curves, or of one that goes out and
-  /// in more than once. Where none do the surface does not go through itself.
-  bool rowsCross() const {
-    const auto turns = [](const Curve& curve) {
-      int count = 0;
-      double last = 0;
-      for (std::size_t j = 1; j < curve.rows.size(); ++j) {
-        const double way = curve.rows[j][0].x - curve.rows[j - 1][0].x;
-        if (std::abs(way) < kSameLevel) continue;
-        count += last != 0 && (way > 0) != (last > 0);
-        last = way;
-      }
-      return count;
-    };
-    return (curves_.size() > 1 || std::ranges::any_of(curves_, [&](const Curve& curve) { return turns(curve) > 1; })) &&
-           table_.cross();
-  }
+  /// Whether rows cross in the plane; where none do the surface does not go through itself.
+  bool rowsCross() const { return table_.cross(); }
 
  private:
   struct Curve {
@@ -477,11 +464,12 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
   constexpr int kTries = 3;        // with rows twice as fine each
   const double spacing = fields.reach > 0 ? std::min(kOfEdge * fields.reach, params.spacing) : params.spacing;
   const std::size_t points = mesh.positions.size(), triangles = mesh.triangles.size();
+  const bool plain = isPlain(curves);
   for (int attempt = 0; attempt <= kTries; ++attempt) {
     // Rows next to an outline may cross it where the fields' mesh, which is coarser, has chords of it.
     const bool any = attempt == kTries;
     Surface surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh);
-    if (surface.run() && (any || !surface.rowsCross() || !mesh::selfCrossing(mesh))) return Done{};
+    if (surface.run() && (any || plain || !surface.rowsCross() || !mesh::selfCrossing(mesh))) return Done{};
     mesh.positions.resize(points);
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);
