@@ -17,6 +17,7 @@
 #include "engine/io/picture_file.h"
 #include "engine/io/recipe_file.h"
 #include "engine/mesh/laws.h"
+#include "engine/mesh/self_crossing.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/publish/publish.h"
 
@@ -149,6 +150,7 @@ std::string reportOf(const Model& model) {
     report.triangles = shape.mesh.triangles.size();
     report.energy = shape.ribs.energy;
     report.mesh = mesh::inspect(shape.mesh);
+    report.crossesItself = mesh::selfCrossing(shape.mesh).has_value();
     if (const document::InflateRecipe* puff = document::inflateOf(*model.document.parts[i])) {
       const std::vector<inflate::EditedSkeleton> bones = bonesOf(shape, puff->inflate);
       report.bones.emplace();

@@ -60,9 +60,10 @@ Status checkRegion(const Document& document, const Region& region) {
   if (entry == nullptr) return Error::NoSuchPicture;
   const bool isRibbon = region.ribbon != 0;
   if (isRibbon && !(region.ribbon >= kLeastRibbon && region.ribbon <= kMostRibbon)) {
-    return {Error::ValueOutOfRange, "width of the line"};
+    return {Error::ValueOutOfRange, "the width of a line must be 0.5 … 2000 pixels"};
   }
-  if (region.contours.size() > kMostContours) return {Error::ValueOutOfRange, "too many outlines"};
+  if (region.contours.size() > kMostContours)
+    return {Error::ValueOutOfRange, "a part has at most " + std::to_string(kMostContours) + " outlines"};
   std::size_t points = 0;
   const std::size_t least = region.isOfLines() ? 2 : 3;
   bool any = false;
@@ -78,7 +79,9 @@ Status checkRegion(const Document& document, const Region& region) {
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
   }
-  if (points > kMostRegionPoints) return {Error::ValueOutOfRange, "too many points"};
+  if (points > kMostRegionPoints)
+    return {Error::ValueOutOfRange,
+            "the outlines of a part have at most " + std::to_string(kMostRegionPoints) + " points"};
   if (!any) return Error::RegionEmpty;
   const bool onPicture =
       high.x >= -0.5 && high.y >= -0.5 && low.x <= entry->size.width - 0.5 && low.y <= entry->size.height - 0.5;

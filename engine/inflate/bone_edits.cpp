@@ -432,19 +432,6 @@ class Editor {
 
 }  // namespace
 
-bool isValid(const BoneEdits& edits) {
-  const auto few = [](const auto& list) { return list.size() <= kMostBoneEdits; };
-  const auto line = [](const std::vector<PicturePoint>& points) {
-    return points.size() <= kMostBoneLinePoints && std::ranges::all_of(points, [](auto p) { return isFinite(p); });
-  };
-  return edits.detail >= 0 && edits.detail <= 1 && few(edits.drop) && few(edits.add) && few(edits.move) &&
-         few(edits.heights) && line(edits.drop) && std::ranges::all_of(edits.add, line) &&
-         std::ranges::all_of(edits.move, [](const BoneMove& m) { return isFinite(m.from) && isFinite(m.to); }) &&
-         std::ranges::all_of(edits.heights, [](const BoneHeight& h) {
-           return isFinite(h.at) && h.factor >= kLeastFactor && h.factor <= kMostFactor;
-         });
-}
-
 double scaleFor(double detail) {
   const bool few = detail < 0.5;
   const double from = few ? kFewest : kScale, to = few ? kScale : kMost;

@@ -348,12 +348,32 @@ void carry(const Diffusion& diffuse, const Number& number, std::vector<Over>& ov
   for (std::size_t i = 0; i < over.size(); ++i) number(over[i]) = values[i];
 }
 
+/// The gradient at each point: the mean of those of the triangles round it by their areas.
+std::vector<SectionPoint> gradientsOf(const PlaneMesh& mesh, const std::vector<double>& values) {
+  std::vector<SectionPoint> out(values.size());
+  std::vector<double> area(values.size(), 0.0);
+  for (const auto& t : mesh.triangles()) {
+    const Element element = elementOf(mesh, t);
+    SectionPoint sum{};  // times twice the area
+    for (std::size_t c = 0; c < 3; ++c) sum += element.gradient[c] * values[t[c]];
+    for (const std::uint32_t p : t) {
+      out[p] += sum;
+      area[p] += element.area2;
+    }
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (area[i] > 0) out[i] = out[i] / area[i];
+  }
+  return out;
+}
+
 /// With points so far apart.
 Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleton, double spacing) {
   const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
   std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
   if (!boned) return Error::RegionTooFine;
-  Fields fields{std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, {}, spacing, 0};
+  Fields fields{
+      std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, {}, {}, {}, spacing, 0};
   const std::size_t count = fields.mesh.points().size(), onRim = fields.mesh.rim();
   fields.onBone.assign(count, 0);
   for (std::size_t i = 0; i < count; ++i) fields.onBone[i] = boned->width[i].radius > 0;
@@ -401,6 +421,8 @@ Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleto
   }
   fields.s.resize(count);
   for (std::size_t i = 0; i < count; ++i) fields.s[i] = fields.onBone[i] ? 0 : std::sqrt(std::clamp(w[i], 0.0, 1.0));
+  fields.rise = gradientsOf(fields.mesh, fields.s);
+  fields.widening = gradientsOf(fields.mesh, fields.half);
   return fields;
 }
 
@@ -408,6 +430,7 @@ Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleto
 
 Fields withReach(Fields fields, double reach) {
   fields.reach = reach;
+  fields.rise.clear();
   std::vector<char> outlines(fields.s.size(), 0);
   std::fill_n(outlines.begin(), fields.mesh.rim(), 1);
   for (std::size_t i = 0; i < fields.s.size(); ++i) fields.s[i] = std::min(fields.s[i], 1 - fields.toRim[i] / reach);
@@ -427,7 +450,7 @@ Over lerp(const Over& a, const Over& b, double t) {
 
 std::size_t bytesOf(const Fields& fields) {
   const std::size_t points = fields.mesh.points().size(), triangles = fields.mesh.triangles().size();
-  constexpr std::size_t kOfPoint = sizeof(SectionPoint) + 4 * sizeof(double) + sizeof(Over) + 1, kOfTriangle = 32;
+  constexpr std::size_t kOfPoint = 3 * sizeof(SectionPoint) + 4 * sizeof(double) + sizeof(Over) + 1, kOfTriangle = 32;
   return points * kOfPoint + triangles * kOfTriangle;
 }
 
@@ -441,52 +464,6 @@ Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleto
     fields = fieldsAt(piece, skeleton, spacing);
   }
   return fields;
-}
-
-LevelPoint lerp(const LevelPoint& a, const LevelPoint& b, double t) {
-  return {lerp(a.at, b.at, t), std::lerp(a.half, b.half, t), lerp(a.over, b.over, t), std::lerp(a.away, b.away, t)};
-}
-
-LevelPoint levelPointOf(const Fields& fields, std::uint32_t p) {
-  return {fields.mesh.points()[p], fields.half[p], fields.over[p], fields.away[p]};
-}
-
-std::vector<LevelLine> levelLines(const Fields& fields, std::span<const double> levels) {
-  const PlaneMesh& mesh = fields.mesh;
-  const auto triangles = static_cast<std::uint32_t>(mesh.triangles().size());
-  constexpr double kMostLevel = 1 - 1e-9;  // the outline is above all lines
-  std::vector<double> above;               // s over the level
-  for (std::size_t p = 0; p < fields.s.size(); ++p) {
-    double level = 0;
-    for (std::size_t k = 0; k < levels.size(); ++k) level += fields.over[p].share[k] * levels[k];
-    above.push_back(fields.s[p] - std::min(level, kMostLevel));
-  }
-  const auto high = [&](std::uint32_t p) { return above[p] >= 0; };
-  // The line leaves a triangle where an edge rises, with what is higher on its left.
-  const auto wayOut = [&](std::uint32_t t) {
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      if (!high(mesh.triangles()[t][h % 3]) && high(mesh.triangles()[t][(h + 1) % 3])) return h;
-    }
-    return kNone;
-  };
-  std::vector<char> passed(triangles, 0);
-  std::vector<LevelLine> lines;
-  for (std::uint32_t start = 0; start < triangles; ++start) {
-    if (passed[start] || wayOut(start) == kNone) continue;
-    LevelLine& line = lines.emplace_back();
-    line.side = fields.side[start];
-    std::uint32_t t = start;
-    while (t != kNone && !passed[t]) {
-      passed[t] = 1;
-      const std::uint32_t out = wayOut(t);
-      const std::uint32_t low = mesh.triangles()[t][out % 3], up = mesh.triangles()[t][(out + 1) % 3];
-      const double share = above[low] / (above[low] - above[up]);
-      const auto at = [&](std::uint32_t p) { return levelPointOf(fields, p); };
-      line.points.push_back(lerp(at(low), at(up), share));
-      t = mesh.twin(out) == kNone ? kNone : mesh.twin(out) / 3;
-    }
-  }
-  return lines;
 }
 
 }  // namespace spineloft::inflate

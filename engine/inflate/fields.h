@@ -15,7 +15,7 @@
 namespace spineloft::inflate {
 
 /// On a triangulation of one piece of a region, whose rim are its outlines and which has the skeleton among its edges.
-/// One value a point of the mesh, linear in between. Each component of the region without the skeleton is a ring that
+/// One value a point of the mesh. Each component of the region without the skeleton is a ring that
 /// one outline bounds; for every level 0 < c < 1 the set s = c is one closed line in each of them.
 struct Fields {
   geometry::PlaneMesh mesh;
@@ -27,6 +27,8 @@ struct Fields {
   std::vector<Over> over;                           ///< as at the nearest place of the skeleton
   std::vector<double> away;                         ///< distance to the skeleton, pixels
   std::vector<double> toRim;                        ///< distance to the outline, pixels
+  std::vector<SectionPoint> rise;                   ///< gradient of s, off skeleton and rim; none: s is linear
+  std::vector<SectionPoint> widening;               ///< gradient of H
   std::vector<std::uint32_t> side;                  ///< by triangle: in the ring of which outline
   double spacing = 0;                               ///< of the points, pixels
   double reach = 0;                                 ///< pixels; 0: none, see withReach

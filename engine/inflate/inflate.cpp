@@ -11,6 +11,7 @@
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
 #include "engine/inflate/rows.h"
+#include "engine/mesh/self_crossing.h"
 #include "engine/mesh/thin_triangles.h"
 #include "engine/mesh/two_sided.h"
 
@@ -149,6 +150,20 @@ double spacingFor(double area, int points, const MatchedCurves& curves) {
   return std::sqrt(length * area / (std::sqrt(0.75) * points));
 }
 
+/// Without thin triangles, as far as that moves no point farther `off` the surface, nor, of one that is not `plain`, a
+/// stretch of it through another one.
+mesh::TriMesh tidied(mesh::TriMesh mesh, double off, bool plain) {
+  constexpr double kLess = 0.125;
+  for (const double share : {1.0, kLess}) {
+    mesh::TriMesh tidy = mesh;
+    mesh::ThinLimits limits;
+    limits.off = share * off;
+    mesh::removeThinTriangles(tidy, limits);
+    if (plain || !mesh::selfCrossing(tidy)) return tidy;
+  }
+  return mesh;
+}
+
 }  // namespace
 
 Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture, const InflateParams& params) {
@@ -172,10 +187,8 @@ Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture
                               : addRows(interior.fields[i], piece, curves.value(), rows, mesh);
     if (!status) return status.failure();
   }
-  mesh::ThinLimits limits;
-  limits.off = kMostOff * (rim ? std::min(rows.spacing, reach) : rows.spacing);
-  mesh::removeThinTriangles(mesh, limits);
-  return mesh;
+  return tidied(std::move(mesh), kMostOff * (rim ? std::min(rows.spacing, reach) : rows.spacing),
+                isPlain(curves.value()));
 }
 
 Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,

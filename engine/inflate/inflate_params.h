@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/base/vec.h"
 #include "engine/sections/section.h"
 
@@ -82,18 +83,11 @@ inline constexpr std::size_t kMostBoneLinePoints = 256;  ///< of an added line
 inline constexpr double kLeastReach = 0.002, kMostReach = 1;
 inline constexpr double kLeastFactor = 0.1, kMostFactor = 4;
 
-/// Numbers in range and finite, no more edits than kMostBoneEdits of a kind.
-bool isValid(const BoneEdits& edits);
-
-/// Every number in range and finite; of the slices see matchedCurves.
-inline bool isValid(const InflateParams& p) {
-  for (const ProfileSlice& slice : p.profile.slices) {
-    if (slice.at && !isFinite(*slice.at)) return false;
-  }
-  return p.height >= kLeastHeight && p.height <= kMostHeight && p.sides < InflateSides::kCount &&
-         p.points >= kLeastPoints && p.points <= kMostPoints && p.profile.slices.size() <= kMostSlices &&
-         p.profile.follow >= 0 && p.profile.follow <= 1 && p.profile.across < Across::kCount &&
-         p.profile.reach >= kLeastReach && p.profile.reach <= kMostReach && isValid(p.bones);
-}
+/// Numbers in range and finite, no more edits than kMostBoneEdits of a kind. Error: ValueOutOfRange, with what is wrong
+/// in plain words.
+Status checkEdits(const BoneEdits& edits);
+/// Every number in range and finite; of the slices see matchedCurves. Error: as above.
+Status checkParams(const InflateParams& params);
+inline bool isValid(const InflateParams& params) { return checkParams(params).ok(); }
 
 }  // namespace spineloft::inflate

@@ -8,7 +8,7 @@
 namespace spineloft::inflate {
 
 double finenessFor(int points) {
-  constexpr double kFullPoints = 2000, kLeastFineness = 0.4;
+  constexpr double kFullPoints = 1900, kLeastFineness = 0.4;
   return std::clamp(points / kFullPoints, kLeastFineness, 1.0);
 }
 

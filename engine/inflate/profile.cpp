@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/geometry/axis_clip.h"
-#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/inflate/crossing.h"
@@ -44,16 +43,24 @@ Result<Curves> curvesOf(const sections::SectionShape& shape) {
   return curves;
 }
 
+/// Mirror images of points along a curve run backwards along another one: each is looked for from the last one on.
 bool isMirrored(const Curves& curves) {
-  const auto away = [&](SectionPoint p) {
-    double least = INFINITY;
-    for (const Curve& curve : curves) {
-      least = std::min(least, geometry::distanceToLine(p, std::span(curve), true));
+  std::vector<std::array<SectionPoint, 2>> edges;
+  for (const Curve& curve : curves) {
+    for (std::size_t i = 0; i < curve.size(); ++i) edges.push_back({curve[i], curve[(i + 1) % curve.size()]});
+  }
+  std::size_t last = 0;
+  const auto holds = [&](SectionPoint p) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const std::size_t edge = (last + edges.size() - k) % edges.size();
+      if (geometry::distanceToSegment(p, edges[edge][0], edges[edge][1]) > kLopsided) continue;
+      last = edge;
+      return true;
     }
-    return least;
+    return false;
   };
   return std::ranges::all_of(curves, [&](const Curve& curve) {
-    return std::ranges::all_of(curve, [&](SectionPoint p) { return away({-p.x, p.y}) <= kLopsided; });
+    return std::ranges::all_of(curve, [&](SectionPoint p) { return holds({-p.x, p.y}); });
   });
 }
 
@@ -287,6 +294,18 @@ Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, Inflat
   for (std::vector<ProfileCurve>& curve : matched) std::ranges::for_each(curve, beginOutside);
   if (!blendsAreSimple(matched)) return refused("on the way from one slice to another they would cross themselves");
   return matched;
+}
+
+bool isPlain(const MatchedCurves& curves) {
+  if (curves.size() != 1 || curves.front().size() != 1 || curves.front().front().closed) return false;
+  const Curve& line = curves.front().front().points;
+  bool back = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (i + 1 < line.size() && isCorner(line[i - 1], line[i], line[i + 1])) return false;
+    if (back && line[i].x > line[i - 1].x + kSame) return false;
+    back = back || line[i].x < line[i - 1].x - kSame;
+  }
+  return true;
 }
 
 Topology topologyOf(const std::vector<ProfileCurve>& curves, int holes) {

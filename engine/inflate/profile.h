@@ -28,6 +28,10 @@ Result<std::vector<ProfileCurve>> profileCurves(const sections::SectionShape& sh
 using MatchedCurves = std::vector<std::vector<ProfileCurve>>;
 Result<MatchedCurves> matchedCurves(std::span<const ProfileSlice> slices, InflateSides sides);
 
+/// One slice, and of it one curve without a corner that goes from the axis out and back once: no stretches of what it
+/// makes lie near each other but where the region is narrow.
+bool isPlain(const MatchedCurves& curves);
+
 /// Shells and handles of what a profile makes of one piece of a region with `holes` holes: every curve from axis to
 /// axis is a body with as many handles, every other one a ring along each outline.
 struct Topology {

@@ -10,26 +10,54 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/spread.h"
+#include "engine/inflate/crossing.h"
 
 namespace spineloft::inflate {
 namespace {
 
 constexpr double kOutline = 1 - 1e-9;  ///< s of the outline itself
+constexpr double kLevels = 1 << 24;    ///< levels from 0 to 1: those of both sides of a slice are the same
 constexpr double kOfWidth = 0.25;      ///< of the half width, between points of a row
 constexpr double kOfAway = 1.2;        ///< of the distance to the skeleton
+constexpr double kTurn = 0.25;         ///< radians that a row within turns by from point to point
+constexpr double kNearest = 0.3;       ///< of what the place allows: what bends within less is a corner
 constexpr double kLeastInRow = 6;
 
-/// The closed line with points so far apart as the place allows, even between corners, which stay.
-Row resampled(const Row& line, double spacing) {
+/// How far a line turns along each of its stretches, radians: each half of what it turns by at its ends, by lengths.
+std::vector<double> turnsAlong(const Row& line) {
+  const std::size_t n = line.size();
+  std::vector<double> turns(n, 0.0);
+  SectionPoint in = line[0].at - line[n - 1].at;
+  double before = norm(in);
+  for (std::size_t i = 0; i < n; ++i) {
+    const SectionPoint out = line[(i + 1) % n].at - line[i].at;
+    const double after = norm(out), lengths = before + after;
+    // 2 tan(turn/2); a reversal is a corner anyway.
+    const double turn = 2 * std::abs(cross(in, out)) / std::max(1e-3 * before * after, before * after + dot(in, out));
+    if (lengths > 0) {
+      turns[(i + n - 1) % n] += turn * before / lengths;
+      turns[i] += turn * after / lengths;
+    }
+    in = out;
+    before = after;
+  }
+  return turns;
+}
+
+/// The closed line with points so far apart as the place and the line's turning allow, `turn` radians from point to
+/// point, even between corners, which stay.
+Row resampled(const Row& line, double spacing, double turn) {
   const std::size_t n = line.size();
   std::vector<SectionPoint> closed;
   std::vector<double> steps(n + 1, 0.0);
+  const std::vector<double> turns = turnsAlong(line);
   double finest = spacing;
   for (std::size_t i = 0; i < n; ++i) {
     const LevelPoint &a = line[i], &b = line[(i + 1) % n];
     const double most =
         std::max(1e-9, std::min({spacing, kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2}));
-    steps[i + 1] = steps[i] + distance(a.at, b.at) / most;
+    const double even = distance(a.at, b.at) / most;
+    steps[i + 1] = steps[i] + std::clamp(turns[i] / turn, even, even / kNearest);
     finest = std::min(finest, most);
     closed.push_back(a.at);
   }
@@ -59,6 +87,57 @@ Row resampled(const Row& line, double spacing) {
   return out;
 }
 
+/// Short stretches of lines, and whether any two cross: only those in one cell of a grid are compared.
+class Stretches {
+ public:
+  void add(SectionPoint from, SectionPoint to) {
+    all_.push_back({from, to});
+    low_ = {std::min(low_.x, from.x), std::min(low_.y, from.y)};
+    high_ = {std::max(high_.x, from.x), std::max(high_.y, from.y)};
+    length_ += distance(from, to);
+  }
+  bool cross() {
+    if (all_.empty()) return false;
+    constexpr double kMostCells = 512, kOfLength = 0.5;  // a side; rows lie nearer to each other than their points
+    cell_ = std::max({kOfLength * length_ / static_cast<double>(all_.size()), (high_.x - low_.x) / kMostCells,
+                      (high_.y - low_.y) / kMostCells, 1e-9});
+    wide_ = placeOf(high_.x - low_.x) + 1;
+    std::vector<std::uint32_t> first(wide_ * (placeOf(high_.y - low_.y) + 1) + 1, 0);
+    for (const auto& stretch : all_) eachCell(stretch, [&](std::size_t cell) { ++first[cell + 1]; });
+    for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+    std::vector<std::uint32_t> within(first.back()), next(first);
+    bool crossed = false;
+    for (std::uint32_t i = 0; i < all_.size() && !crossed; ++i) {
+      const auto& [a, b] = all_[i];
+      eachCell(all_[i], [&](std::size_t cell) {
+        for (std::uint32_t k = first[cell]; k < next[cell]; ++k) {
+          const auto& [c, d] = all_[within[k]];
+          crossed = crossed || crossing(a, b, c, d);
+        }
+        within[next[cell]++] = i;
+      });
+    }
+    return crossed;
+  }
+
+ private:
+  using Stretch = std::array<SectionPoint, 2>;
+  std::size_t placeOf(double way) const { return static_cast<std::size_t>(way / cell_); }
+  template <class Visit>
+  void eachCell(const Stretch& stretch, const Visit& visit) const {
+    const auto [left, right] = std::minmax(stretch[0].x - low_.x, stretch[1].x - low_.x);
+    const auto [below, above] = std::minmax(stretch[0].y - low_.y, stretch[1].y - low_.y);
+    for (std::size_t y = placeOf(below); y <= placeOf(above); ++y) {
+      for (std::size_t x = placeOf(left); x <= placeOf(right); ++x) visit(y * wide_ + x);
+    }
+  }
+
+  std::vector<Stretch> all_;
+  SectionPoint low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};
+  double length_ = 0, cell_ = 1;
+  std::size_t wide_ = 1;
+};
+
 std::vector<SectionPoint> placesOf(std::span<const LevelPoint> line) {
   std::vector<SectionPoint> out;
   for (const LevelPoint& p : line) out.push_back(p.at);
@@ -69,7 +148,7 @@ std::vector<SectionPoint> placesOf(std::span<const LevelPoint> line) {
 
 const std::vector<Row>& RowTable::at(const ProfileRow& row) {
   std::vector<double> levels;
-  for (const SectionPoint p : row) levels.push_back(p.x);
+  for (const SectionPoint p : row) levels.push_back(std::round(p.x * kLevels) / kLevels);
   const auto found = rows_.find(levels);
   if (found != rows_.end()) return found->second;
   const bool outline = std::ranges::all_of(levels, [](double level) { return level >= kOutline; });
@@ -81,7 +160,7 @@ std::vector<Row> RowTable::traced(std::span<const double> levels) const {
   std::vector<Row> rows(fields_.sizes.size());
   for (LevelLine& line : levelLines(fields_, levels)) {
     if (!rows[line.side].empty()) return {};
-    rows[line.side] = resampled(line.points, spacing_);
+    rows[line.side] = resampled(line.points, spacing_, kTurn);
   }
   const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
   return whole ? rows : std::vector<Row>{};
@@ -97,7 +176,8 @@ std::vector<Row> RowTable::outlines() const {
     first += static_cast<std::uint32_t>(size);
   }
   std::vector<Row> rows;
-  for (const auto& outline : geometry::sampleRegion(piece_, std::min(spacing_, fields_.spacing))) {
+  constexpr double kFiner = 4;  // than points of rows: those lie on the outline
+  for (const auto& outline : geometry::sampleRegion(piece_, std::min(spacing_, fields_.spacing) / kFiner)) {
     Row row;
     for (const PicturePoint p : outline) {
       const SectionPoint at{p.x, -p.y};
@@ -109,9 +189,19 @@ std::vector<Row> RowTable::outlines() const {
       row.push_back(there);
     }
     std::ranges::reverse(row);  // the region on the right
-    rows.push_back(resampled(row, spacing_));
+    rows.push_back(resampled(row, spacing_, INFINITY));
   }
   return rows;
+}
+
+bool RowTable::cross() const {
+  Stretches all;
+  for (const auto& [levels, lines] : rows_) {
+    for (const Row& line : lines) {
+      for (std::size_t i = 0; i < line.size(); ++i) all.add(line[i].at, line[(i + 1) % line.size()].at);
+    }
+  }
+  return all.cross();
 }
 
 bool runsInside(std::span<const LevelPoint> a, std::span<const LevelPoint> b) {

@@ -23,6 +23,8 @@ class RowTable {
 
   /// One row an outline; empty where the level has not one line an outline.
   const std::vector<Row>& at(const ProfileRow& row);
+  /// Whether some of those asked for so far cross in the plane, as seen from the front.
+  bool cross() const;
 
  private:
   std::vector<Row> traced(std::span<const double> levels) const;

@@ -12,6 +12,7 @@
 
 #include "engine/inflate/boned_mesh.h"
 #include "engine/inflate/row_lines.h"
+#include "engine/mesh/self_crossing.h"
 
 namespace spineloft::inflate {
 namespace {
@@ -384,6 +385,8 @@ class Surface {
   bool run() {
     return std::ranges::all_of(curves_, [&](const Curve& curve) { return add(curve); });
   }
+  /// Whether rows cross in the plane; where none do the surface does not go through itself.
+  bool rowsCross() const { return table_.cross(); }
 
  private:
   struct Curve {
@@ -461,11 +464,12 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
   constexpr int kTries = 3;        // with rows twice as fine each
   const double spacing = fields.reach > 0 ? std::min(kOfEdge * fields.reach, params.spacing) : params.spacing;
   const std::size_t points = mesh.positions.size(), triangles = mesh.triangles.size();
+  const bool plain = isPlain(curves);
   for (int attempt = 0; attempt <= kTries; ++attempt) {
     // Rows next to an outline may cross it where the fields' mesh, which is coarser, has chords of it.
     const bool any = attempt == kTries;
-    if (Surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh).run())
-      return Done{};
+    Surface surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh);
+    if (surface.run() && (any || plain || !surface.rowsCross() || !mesh::selfCrossing(mesh))) return Done{};
     mesh.positions.resize(points);
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);

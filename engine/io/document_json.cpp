@@ -1,6 +1,8 @@
 #include "engine/io/document_json.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdio>
 #include <new>
 #include <set>
 
@@ -50,6 +52,29 @@ void mend(bool right, T& value, T sound, ReadNotes& notes) {
   if (right) return;
   value = std::move(sound);
   ++notes.repaired;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// Says what is wrong and what to do: "That outline is too small to make a part of: draw a larger one …".
+void tell(const Failure& failure, ReadNotes& notes) {
+  std::string words = failure.detail.empty() ? std::string(errorSentence(failure.error)) : failure.detail;
+  if (words.ends_with('.')) words.pop_back();
+  for (std::size_t at = words.find(". "); at != std::string::npos; at = words.find(". ")) {
+    words[at] = ':';
+    words[at + 2] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[at + 2])));
+  }
+  notes.say(std::move(words));
+}
+/// The same, with what is wrong.
+template <class T>
+void mend(const Status& right, T& value, T sound, ReadNotes& notes) {
+  if (!right) tell(right.failure(), notes);
+  mend(right.ok(), value, std::move(sound), notes);
 }
 
 /// Takes out what is not right, and what is too much; counts each.
@@ -102,8 +127,8 @@ void mendRecipe(document::LoftRecipe& recipe, ReadNotes& notes) {
   mendLoft(recipe.loft, notes);
 }
 void mendRecipe(document::InflateRecipe& recipe, ReadNotes& notes) {
-  mend(isValid(recipe.inflate), recipe.inflate, {}, notes);
-  mend(document::checkSolid(recipe.inflate).ok(), recipe.inflate.profile, {}, notes);
+  mend(checkParams(recipe.inflate), recipe.inflate, {}, notes);
+  mend(document::checkSolid(recipe.inflate), recipe.inflate.profile, {}, notes);
 }
 void mendRecipe(document::ExtrudeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.extrude), recipe.extrude, {}, notes);
@@ -137,6 +162,7 @@ void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   for (const document::ParamInfo& info : document::paramTable(kind)) {
     const double value = info.get(recipe);
     if (value >= info.low && value <= info.high) continue;
+    tell({Error::ValueOutOfRange, "it must be " + shortNumber(info.low) + " … " + shortNumber(info.high)}, notes);
     info.set(recipe, info.get(standard));
     ++notes.repaired;
   }
@@ -375,6 +401,7 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   if (reading.notes != before) settleExtra(part, toJson(part), reading);
   const Status stroke = document::checkDrawn(document, part.recipe);
   if (stroke) return part;
+  tell(stroke.failure(), reading.notes);
   if (stroke.error() == Error::NoSuchPicture) return {Error::NoSuchPicture, part.name};
   return {Error::ProjectInvalid, part.name};
 }

@@ -295,9 +295,138 @@ bool get(const Json& from, std::vector<Vec2<Space>>& to) {
 template <class T>
 concept Plain = requires(const Json& from, T& to) { get(from, to); };
 
+/// The keys of a struct, in words.
+struct NameMembers {
+  std::string text;
+  template <class T>
+  void operator()(const char* key, const T&) {
+    text += (text.empty() ? "" : ", ") + std::string(key);
+  }
+  template <class T>
+  void always(const char* key, const T& value) {
+    (*this)(key, value);
+  }
+  void recipe(const char* kindKey, const char* key, const document::Recipe& value) {
+    (*this)(kindKey, value);
+    (*this)(key, value);
+  }
+  template <class T>
+  void photo(const char* key, const T& picture, std::uint64_t) {
+    (*this)(key, picture);
+  }
+  template <class T>
+  void elements(const char* key, const T& values) {
+    (*this)(key, values);
+  }
+  template <class T>
+  void elementsIfAny(const char* key, const T& values) {
+    (*this)(key, values);
+  }
+  void retired(const char*) {}
+  void beyond(const std::string&) {}
+};
+
+// What a value must be, in words, for what is of another type.
+inline std::string wanted(const double&) { return "a number"; }
+inline std::string wanted(const float&) { return "a number"; }
+inline std::string wanted(const Millimetres&) { return "a number"; }
+inline std::string wanted(const bool&) { return "true or false"; }
+inline std::string wanted(const int&) { return "a whole number"; }
+inline std::string wanted(const std::uint32_t&) { return "a whole number, not below 0"; }
+inline std::string wanted(const std::string&) { return "a text"; }
+inline std::string wanted(const image::Size&) { return "a list of two whole numbers: width and height"; }
+inline std::string wanted(const std::array<std::uint8_t, 3>&) { return "a colour such as \"#ff8800\""; }
+inline std::string wanted(const geometry::AlongCurve&) { return "a list of places and values: at, value, at, value …"; }
+inline std::string wanted(const ribs::EndEdit&) { return "a list: side, at, along, out, reach, locked"; }
+inline std::string wanted(const ribs::IgnoreMark&) { return "a list: radius, [x, y, x, y …]"; }
+inline std::string wanted(const geometry::Turn&) { return "a list of four numbers: w, x, y, z"; }
+inline std::string wanted(const std::optional<document::MirrorPlane>&) {
+  return "null, or a list of six numbers: a point and a direction";
+}
+inline std::string wanted(const image::SketchStroke&) {
+  return "a list: radius, whether it erases, colour, [x, y, x, y …], [pressure, …]";
+}
+inline std::string wanted(const stack::Corners&) { return "\"all\", or a list of whole numbers"; }
+inline std::string wanted(const shape::Axis&) { return "a list of two places: [[x, y], [x, y]]"; }
+inline std::string wanted(const descriptive::Stretch&) { return "a list of two numbers: from, to"; }
+template <class Tag>
+std::string wanted(const Id<Tag>&) {
+  return "a whole number, not below 0";
+}
+template <class Space>
+std::string wanted(const Vec2<Space>&) {
+  return "a list of two numbers: x, y";
+}
+template <class Space>
+std::string wanted(const std::optional<Vec2<Space>>&) {
+  return "null, or a list of two numbers: x, y";
+}
+template <class Space>
+std::string wanted(const Vec3<Space>&) {
+  return "a list of three numbers: x, y, z";
+}
+template <class Space>
+std::string wanted(const std::optional<Vec3<Space>>&) {
+  return "null, or a list of three numbers: x, y, z";
+}
+template <class Space>
+std::string wanted(const std::vector<Vec2<Space>>&) {
+  return "one list x, y, x, y … of numbers, not of pairs";
+}
+template <class Space>
+std::string wanted(const std::vector<Vec3<Space>>&) {
+  return "one list x, y, z, x, y, z … of numbers";
+}
+/// The names that it knows.
+template <Keyed T>
+std::string wanted(const T&) {
+  return "one of those that are known";
+}
+template <Keyed T>
+  requires requires { T::kCount; }
+std::string wanted(const T&) {
+  std::string all;
+  for (int i = 0; i < static_cast<int>(T::kCount); ++i) {
+    const std::string_view key = keyOf(static_cast<T>(i));
+    if (!key.empty()) all += (all.empty() ? "\"" : ", \"") + std::string(key) + '"';
+  }
+  return "one of " + all;
+}
+
+template <Struct T>
+std::string wanted(const T& value) {
+  NameMembers names;
+  members(names, value);
+  return "an object with some of the keys " + names.text;
+}
+template <class T>
+std::string wanted(const std::vector<T>&) {
+  return "a list, each member " + wanted(T{});
+}
+template <class T>
+std::string wanted(const std::vector<Box<T>>&) {
+  return "a list, each member " + wanted(T{});
+}
+
+inline constexpr const char* kEach = "each member of the list must be ";
+
+inline std::string wanted(const document::PartKind&) {
+  std::string all;
+  for (int i = 0; i < static_cast<int>(document::PartKind::kCount); ++i)
+    all += (all.empty() ? "\"" : ", \"") + std::string(document::kindKey(static_cast<document::PartKind>(i))) + '"';
+  return "one of " + all;
+}
+
+/// Counts a value of the wrong type, and says what it must be.
+template <class T>
+void countWrong(const T& to, const Reading& reading) {
+  ++reading.notes.repaired;
+  reading.notes.say("it must be " + wanted(to));
+}
+
 template <Plain T>
 void read(Json& from, T& to, const Reading& reading) {
-  if (!get(from, to)) ++reading.notes.repaired;
+  if (!get(from, to)) countWrong(to, reading);
   from = nullptr;
 }
 template <Struct T>
@@ -310,25 +439,26 @@ void read(Json& from, std::optional<T>& to, const Reading& reading) {
 /// A line is one value.
 template <class Space>
 void read(Json& from, std::vector<Vec2<Space>>& to, const Reading& reading) {
-  if (!get(from, to)) ++reading.notes.repaired;
+  if (!get(from, to)) countWrong(to, reading);
   from = nullptr;
 }
 template <class Space>
 void read(Json& from, std::vector<Vec3<Space>>& to, const Reading& reading) {
-  if (!get(from, to)) ++reading.notes.repaired;
+  if (!get(from, to)) countWrong(to, reading);
   from = nullptr;
 }
 /// A list of plain values: bad ones are left out and counted.
 template <Plain T>
 void read(Json& from, std::vector<T>& to, const Reading& reading) {
   to.clear();
-  if (!from.is_array()) ++reading.notes.repaired;
+  if (!from.is_array()) countWrong(to, reading);
   for (const Json& element : from.is_array() ? from : Json::array()) {
     T value{};
     if (get(element, value)) {
       to.push_back(std::move(value));
     } else {
       ++reading.notes.repaired;
+      reading.notes.say(kEach + wanted(value));
     }
   }
   from = nullptr;
@@ -345,13 +475,14 @@ template <Struct T>
 void read(Json& from, std::vector<T>& to, const Reading& reading) {
   to.clear();
   if (!from.is_array()) {
-    ++reading.notes.repaired;
+    countWrong(to, reading);
     from = nullptr;
     return;
   }
   Json rest = Json::object();
   for (std::size_t i = 0; i < from.size(); ++i) {
     T value{};
+    if (!from[i].is_object()) reading.notes.say(kEach + wanted(value));
     read(from[i], value, reading);
     to.push_back(std::move(value));
     if (!from[i].empty()) rest[std::to_string(i)] = std::move(from[i]);
@@ -387,7 +518,10 @@ class ReadMembers {
       const document::PartKind known = name ? document::kindFromKey(*name) : document::PartKind::kCount;
       value = document::emptyRecipe(known);
       object_.erase(kind);
-      if (known == document::PartKind::kCount) return;
+      if (known == document::PartKind::kCount) {
+        reading_.notes.say(std::string(kindKey) + " must be " + wanted(known));
+        return;
+      }
     }
     std::visit([&](auto& one) { (*this)(key, one); }, value);
   }
@@ -408,7 +542,7 @@ class ReadMembers {
 template <Struct T>
 void read(Json& from, T& to, const Reading& reading) {
   if (!from.is_object()) {
-    ++reading.notes.repaired;
+    countWrong(to, reading);
     from = nullptr;
     return;
   }

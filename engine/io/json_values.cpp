@@ -200,6 +200,7 @@ std::string writeReport(const LoftReport& report) {
                  {"lawful", mesh.valid()},
                  {"shells", mesh.shells},
                  {"genus", mesh.genus},
+                 {"crossesItself", report.crossesItself},
                  {"volume", mesh.volume},
                  {"area", mesh.area}}},
                {"milliseconds", object(report.milliseconds)}};

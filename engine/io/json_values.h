@@ -41,6 +41,7 @@ struct LoftReport {
   std::size_t ribs = 0, vertices = 0, triangles = 0;
   ribs::EnergyTerms energy;
   mesh::MeshReport mesh;                                ///< of the part in ModelSpace: volume in px³, area in px²
+  bool crossesItself = false;                           ///< see mesh::selfCrossing
   std::optional<std::vector<inflate::Skeleton>> bones;  ///< of a puff, one a piece of its region
   int asleep = 0;                                       ///< edits of its bones, and slices, that find no place
   struct Profile {
@@ -50,9 +51,9 @@ struct LoftReport {
   NamedNumbers milliseconds;       ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
-/// "mesh":{"vertices","triangles","closed","lawful","shells","genus","volume","area"},"milliseconds":{…}}; of a puff
-/// also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the half
-/// width, and with a slice "profile":{"slices","middle","offAxis"}.
+/// "mesh":{"vertices","triangles","closed","lawful","shells","genus","crossesItself","volume","area"},"milliseconds":{…}};
+/// of a puff also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the
+/// half width, and with a slice "profile":{"slices","middle","offAxis"}.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/document/document.h"
@@ -25,8 +27,13 @@ using PictureSource = std::function<std::shared_ptr<const image::Picture>(std::u
 
 /// What reading had to mend.
 struct ReadNotes {
-  std::size_t dropped = 0;   ///< pictures and parts that could not be kept
-  std::size_t repaired = 0;  ///< values that were damaged or out of range, replaced by sound ones
+  std::size_t dropped = 0;            ///< pictures and parts that could not be kept
+  std::size_t repaired = 0;           ///< values that were damaged or out of range, replaced by sound ones
+  std::vector<std::string> why = {};  ///< what is wrong with the first of these, in plain words, where that is known
+  void say(std::string words) {
+    constexpr std::size_t kMostWords = 64;
+    if (why.size() < kMostWords) why.push_back(std::move(words));
+  }
   bool clean() const { return dropped == 0 && repaired == 0; }
   bool operator==(const ReadNotes&) const = default;
 };

@@ -19,8 +19,12 @@ using document::PictureEntry;
 /// In larger recipes the value at fault is not searched for, members: it takes a reading for each.
 constexpr std::size_t kMostSearched = 2000;
 
-/// How many values of a recipe are at fault.
-using Faults = std::function<std::size_t(const Json&)>;
+/// How many values of a recipe are at fault, and what is wrong with the first of them, where that is known.
+struct Found {
+  std::size_t faults = 0;
+  std::vector<std::string> why;
+};
+using Faults = std::function<Found(const Json&)>;
 using Place = std::vector<std::string>;  ///< keys, outermost first
 
 Json::json_pointer pointerTo(const Place& place, std::size_t depth) {
@@ -41,14 +45,14 @@ void collectPlaces(const Json& json, Place& here, std::vector<Place>& places) {
   }
 }
 
-/// The innermost place without which fewer values are at fault; empty when there is none.
-Place faultIn(const Json& whole, const Faults& faults) {
+/// The innermost place without which fewer values are at fault, and what is wrong there; no place when there is none.
+std::pair<Place, std::string> faultIn(const Json& whole, const Faults& faults) {
+  const Found all = faults(whole);
   std::vector<Place> places;
   Place here;
   collectPlaces(whole, here, places);
-  if (places.size() >= kMostSearched) return {};
+  if (places.size() >= kMostSearched) places.clear();
   std::ranges::stable_sort(places, std::greater(), &Place::size);
-  const std::size_t all = faults(whole);
   for (const Place& place : places) {
     Json without = whole;
     Json& around = without[pointerTo(place, place.size() - 1)];
@@ -57,9 +61,12 @@ Place faultIn(const Json& whole, const Faults& faults) {
     } else {
       around.erase(static_cast<std::size_t>(std::stoul(place.back())));
     }
-    if (faults(without) < all) return place;
+    const Found rest = faults(without);
+    if (rest.faults >= all.faults) continue;
+    const auto gone = std::ranges::mismatch(all.why, rest.why).in1;  // what is not said any more
+    return {place, gone == all.why.end() ? std::string() : *gone};
   }
-  return {};
+  return {Place(), all.why.empty() ? std::string() : all.why.front()};
 }
 
 constexpr const char* kNoPairs = "a line is one list x, y, x, y … of numbers, not of pairs";
@@ -73,14 +80,15 @@ bool holdsPairs(const Json& json) {
   return json.is_structured() && std::ranges::any_of(json, holdsPairs);
 }
 
-/// Says which value is at fault: "recipe.loft.twist is damaged or out of range".
+/// Says which value is at fault, and why: "recipe.profile.follow: follow must be 0 … 1".
 Failure wrongValue(const Json& whole, const Faults& faults) {
+  constexpr const char* kUnknown = " is damaged or out of range";
+  const auto [place, why] = faultIn(whole, faults);
+  if (place.empty()) return {Error::JsonInvalid, why.empty() ? std::string("a value") + kUnknown : why};
   std::string path;
-  const Place place = faultIn(whole, faults);
   for (const std::string& key : place) path += (path.empty() ? "" : ".") + key;
-  const bool pairs = !place.empty() && holdsPairs(whole[pointerTo(place, place.size())]);
-  if (path.empty()) path = "a value";
-  return {Error::JsonInvalid, path + (pairs ? std::string(": ") + kNoPairs : " is damaged or out of range")};
+  if (holdsPairs(whole[pointerTo(place, place.size())])) return {Error::JsonInvalid, path + ": " + kNoPairs};
+  return {Error::JsonInvalid, path + (why.empty() ? kUnknown : ": " + why)};
 }
 
 /// The first key of what was left over, with the keys around it; empty when nothing was.
@@ -92,6 +100,27 @@ std::string firstKey(const Json& rest) {
     return inner.empty() ? key : key + "." + inner;
   }
   return {};
+}
+
+/// Done where nothing was left over of what was read. Error: JsonInvalid, with the first key that is not known.
+Status checkRest(const std::string& extra, const std::string& around = {}) {
+  const std::string key = firstKey(Json::parse(extra, nullptr, false));
+  if (key.empty()) return Done{};
+  return {Error::JsonInvalid, "there is nothing named " + around + key};
+}
+
+/// The same of all that a document is made of.
+Status checkRest(const Document& document) {
+  Status status = checkRest(document.extra);
+  const auto each = [&](const char* list, const auto& values) {
+    for (std::size_t i = 0; i < values.size() && status; ++i)
+      status = checkRest(values[i]->extra, list + ("." + std::to_string(i) + "."));
+  };
+  each("pictures", document.pictures);
+  each("drawings", document.drawings);
+  each("parts", document.parts);
+  each("steps", document.steps);
+  return status;
 }
 
 /// The name that a picture or a part gets when it is made.
@@ -250,13 +279,10 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
     return wrongValue(json, [&](const Json& whole) {
       ReadNotes found;
       const bool sound = partFrom(whole, document, {found, none}).ok();
-      return found.dropped + found.repaired + (sound ? 0 : 1);
+      return Found{found.dropped + found.repaired + (sound ? 0 : 1), found.why};
     });
   }
-  const std::string& extra = part.value().extra;
-  if (const std::string key = firstKey(Json::parse(extra, nullptr, false)); !key.empty()) {
-    return {Error::JsonInvalid, "there is nothing named " + key};
-  }
+  if (Status rest = checkRest(part.value().extra); !rest) return rest.failure();
   document.parts.push_back(std::move(part).value());
   return document;
 }
@@ -331,13 +357,14 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
     return {Error::JsonInvalid, document.failure().detail};
   }
   if (notes.clean()) {
+    if (Status rest = checkRest(document.value()); !rest) return rest.failure();
     makeRoomForIds(document.value(), notes);
     return document;
   }
   return wrongValue(json, [&](const Json& whole) {
     ReadNotes found;
     const bool sound = documentFrom(whole, {found, source}, MissingPhoto::Drop).ok();
-    return sound ? found.dropped + found.repaired : std::size_t{1} << 20;
+    return Found{sound ? found.dropped + found.repaired : std::size_t{1} << 20, found.why};
   });
 }
 

@@ -59,6 +59,7 @@ test('a slice makes a ball, a torus, a prism; shells and handles follow from its
   const torus = reported(folder, ring, { ...points, ...sliced({ preset: 'circle' }) }).mesh;
   near(torus, 2 * Math.PI ** 2 * 110 * 40 ** 2, 0.02);
   assert.equal(torus.genus, 1);
+  assert.equal(torus.crossesItself, false);
   near(
     reported(folder, stadium, { ...points, ...sliced({ preset: 'square' }, { follow: 0 }) }).mesh,
     (Math.PI * 60 ** 2 + 240 * 120) * 120,
@@ -88,7 +89,7 @@ test('what is wrong with a slice or an outline is named', (t) => {
     const file = write(folder, document(contours, recipe));
     assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('report.json')), words);
   };
-  refused(disc, sliced({ preset: 'd' }), /profile/);
+  refused(disc, sliced({ preset: 'd' }), /mirror image/);
   refused(disc, sliced({ preset: 'round' }), /preset/);
   const pairs = [
     [100, 100],
@@ -118,6 +119,96 @@ test('what is wrong with a slice or an outline is named', (t) => {
     }),
     /contours: .*not of pairs/,
   );
+});
+
+test('each fault of a slice is told in words', (t) => {
+  const folder = barFolder(t);
+  const box = (left, low, right, high) => [left, low, right, low, right, high, left, high];
+  const slices = (...all) => ({ profile: { slices: all } });
+  const beside = { shape: { contours: [box(0.4, -0.3, 0.8, 0.3), box(-0.8, -0.3, -0.4, 0.3)] }, at: [200, 200] };
+  const round = { shape: { preset: 'circle' } };
+  for (const [recipe, words] of [
+    [sliced({ preset: 'd' }), /preset: .*mirror image/],
+    [sliced({ preset: 'round' }), /preset: it must be one of "circle", .*"square"/],
+    [sliced({ contours: [box(-1.5, -1, 1.5, 1)] }), /contours: .*beyond/],
+    [sliced({ contours: [box(0.2, -0.3, 0.6, 0.3)] }), /contours: .*mirror image/],
+    [sliced({ contours: [[-1, -1, 1, 1, 1, -1, -1, 1]] }), /contours: .*cross/],
+    [sliced({ contours: [[0, 0, 0, 0.5, 0, 1]] }), /contours: ./],
+    [sliced({ contours: Array(17).fill(box(-1, -1, 1, 1)) }), /contours: .*16/],
+    [sliced({ contours: [[0, 1, 2]] }), /contours: each .* one list x, y, x, y/],
+    [sliced({ contours: 'x' }), /contours: it must be a list, each member one list x, y/],
+    [sliced({ preset: 'circle' }, { follow: 2 }), /follow: .*0 … 1/],
+    [sliced({ preset: 'circle' }, { across: 'length', reach: 5 }), /reach: .*0.002 … 0.5/],
+    [sliced({ preset: 'circle' }, { across: 'wide' }), /across: it must be one of "share", "length"/],
+    [slices(...Array(9).fill(round)), /slices: .*at most 8/],
+    [slices(round, round), /no place/],
+    [slices(round, beside), /as many bodies, rings and holes/],
+    [{ puff: { sides: 'front' }, ...sliced({ contours: [box(-0.5, -1, 0.5, -0.2)] }) }, /on that side/],
+    [{ bones: { heights: [{ at: [200, 200], factor: 9 }] }, ...sliced({ preset: 'circle' }) }, /factor.*0.1 … 4/],
+    [{ bones: { detail: 3 }, ...sliced({ preset: 'circle' }) }, /detail: .*0 … 1/],
+    [sliced({ preset: 7 }), /preset: it must be one of "circle"/],
+    [sliced({ preset: null }), /preset: it must be one of "circle"/],
+    [sliced('circle'), /shape: it must be an object with some of the keys preset, contours/],
+    [{ profile: [] }, /profile: it must be an object with some of the keys across, reach, slices, follow/],
+    [{ profile: { slices: round } }, /slices: it must be a list, each member an object .* shape, at/],
+    [slices('circle'), /slices: each member .* an object .* shape, at/],
+    [slices({ ...round, at: '200, 200' }), /slices\.0\.at: it must be null, or a list of two numbers: x, y/],
+    [slices({ ...round, at: [200] }), /slices\.0\.at: .* two numbers/],
+    [sliced({ preset: 'circle' }, { follow: 'much' }), /follow: it must be a number/],
+    [sliced({ preset: 'circle' }, { reach: true }), /reach: it must be a number/],
+    [{ puff: { points: 4000.5 } }, /puff\.points: it must be a whole number/],
+    [{ puff: { points: 10 } }, /puff\.points: .*…/],
+    [{ puff: { sides: 'left' } }, /puff\.sides: it must be one of "both", "front", "back"/],
+    [{ puff: { height: '2' } }, /puff\.height: it must be a number/],
+    [{ bones: 'few' }, /bones: it must be an object with some of the keys detail, drop, add, move, heights/],
+    [{ bones: { detail: 'few' } }, /bones\.detail: it must be a number/],
+    [{ bones: { drop: [200] } }, /bones\.drop: it must be one list x, y, x, y/],
+    [{ bones: { drop: 'all' } }, /bones\.drop: it must be one list x, y, x, y/],
+    [{ bones: { add: [1, 2, 3, 4] } }, /bones\.add: each member .* one list x, y, x, y/],
+    [{ bones: { add: [[1, 'x']] } }, /bones\.add: each member .* one list x, y, x, y/],
+    [{ bones: { move: [[1, 2, 3, 4]] } }, /bones\.move: each member .* an object .* from, to/],
+    [{ bones: { heights: [[200, 200, 2]] } }, /bones\.heights: each member .* an object .* at, factor/],
+    [{ bones: { heights: [{ at: [200, 200], factor: '2' }] } }, /heights\.0\.factor: it must be a number/],
+    [{ bones: { drop: Array(200).fill(200) } }, /bones\.drop: more than 64/],
+    [{ bones: { add: [Array(600).fill(200)] } }, /bones\.add: a bone of more than 256/],
+    [sliced({ preset: 'circle' }, { folow: 1 }), /nothing named parts\.0\.recipe\.profile\.folow/],
+    [slices({ ...round, there: [1, 2] }), /nothing named parts\.0\.recipe\.profile\.slices\.0\.there/],
+    [sliced({ preset: 'circle', corners: 4 }), /nothing named parts\.0\.recipe\.profile\.slices\.0\.shape\.corners/],
+    [{ bones: { remove: [200, 200] } }, /nothing named parts\.0\.recipe\.bones\.remove/],
+    [
+      { bones: { heights: [{ at: [200, 200], factr: 2 }] } },
+      /nothing named parts\.0\.recipe\.bones\.heights\.0\.factr/,
+    ],
+    [{ bone: {} }, /nothing named parts\.0\.recipe\.bone/],
+    [{ region: { picture: 1, contours: disc, widht: 2 } }, /nothing named parts\.0\.recipe\.region\.widht/],
+  ]) {
+    const said = fails(3, 'loft', '--recipe', write(folder, document(disc, recipe)), '--report', folder.path('r.json'));
+    assert.match(said, words, JSON.stringify(recipe).slice(0, 200));
+    assert.doesNotMatch(said, /damaged/);
+  }
+  for (const [contours, words] of [
+    [[], /parts\.0: .*outline.*: draw a larger one/],
+    [[[100, 100, 300, 300]], /parts\.0: .*outline.*: draw a larger one/],
+    [[circle(900, 900, 50)], /parts\.0: .*outside the picture: draw it/],
+    [Array(501).fill(circle(200, 200, 50)), /at most 500 outlines/],
+    [[arc(200, 200, 150, 0, 2 * Math.PI, 100001)], /at most 100000 points/],
+    [[[1e7, 0, 0, 1e7, 5, 5]], /parts\.0: ./],
+    ['round', /contours: it must be a list, each member one list x, y/],
+    [[[100, 100, 'x', 300]], /contours: each member .* one list x, y/],
+  ]) {
+    const file = write(folder, document(contours));
+    assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('r.json')), words);
+  }
+  const whole = document(disc);
+  for (const [change, words] of [
+    [{ parts: [{ ...whole.parts[0], kind: 'puf' }] }, /kind must be one of .*"puff"/],
+    [{ parts: [{ ...whole.parts[0], colour: 'red' }] }, /nothing named parts\.0\.colour/],
+    [{ pictures: [{ ...whole.pictures[0], paper: 'white' }] }, /nothing named pictures\.0\.paper/],
+    [{ title: 'disc' }, /nothing named title/],
+  ]) {
+    const file = write(folder, { ...whole, ...change });
+    assert.match(fails(3, 'loft', '--recipe', file, '--report', folder.path('r.json')), words);
+  }
 });
 
 test('the recipes after Levet and Granier have the bones, pieces and handles of their figures', (t) => {

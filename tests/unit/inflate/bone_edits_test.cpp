@@ -236,7 +236,7 @@ TEST_CASE("random edits of bones leave lawful solids with the handles of their r
     for (std::uint64_t i = rng.below(3); i > 0; --i) edits.add.push_back({place(), place(), place()});
     for (std::uint64_t i = rng.below(3); i > 0; --i) edits.move.push_back({place(), place()});
     for (std::uint64_t i = rng.below(3); i > 0; --i) edits.heights.push_back({place(), rng.uniform(0.1, 4)});
-    REQUIRE(isValid(edits));
+    REQUIRE(checkEdits(edits).ok());
     const EditedSkeleton made = edited(shape.name, edits);
     CHECK(made.skeleton.rings == bones.rings);
     for (const auto& kind : {made.awake.drop, made.awake.add, made.awake.move, made.awake.heights})

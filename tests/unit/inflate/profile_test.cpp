@@ -174,8 +174,8 @@ TEST_CASE("a round slice is smooth off the outline and off the narrowest tips") 
     std::ranges::sort(angles);
     const double best = angles[angles.size() * 99 / 100];
     MESSAGE(std::string(name) << ": 99 % turn by up to " << best << ", all by up to " << angles.back() << " degrees");
-    CHECK(best <= 17);
-    CHECK(angles.back() <= 32);
+    CHECK(best <= 15);
+    CHECK(angles.back() <= 30);
   }
 }
 

@@ -65,48 +65,61 @@ BoneEdits anyEdits(Rng& rng, const geometry::Contours& region) {
   return edits;
 }
 
+/// The solid of a random region, slice and edits of bones, which is lawful and has the shells and handles of the
+/// formula.
+mesh::TriMesh randomPuff(std::uint64_t seed) {
+  const auto ready = readyProfiles();
+  Rng rng(seed);
+  const geometry::Contours region = anyRegion(rng);
+  InflateParams params;
+  params.points = static_cast<int>(rng.uniform(300, 2500));
+  params.height = rng.uniform(0.3, 2);
+  params.sides = static_cast<InflateSides>(rng.below(3));
+  params.profile = *readyProfile(ready[1 + rng.below(static_cast<std::uint32_t>(ready.size() - 1))].key);
+  params.profile.follow = rng.uniform(0, 1);
+  while (rng.below(3) == 0 && params.profile.slices.size() < kMostSlices) {
+    ProfileSlice other = params.profile.slices.front();
+    for (auto& contour : other.shape.contours) {
+      for (SectionPoint& p : contour) p.y *= 0.6;
+    }
+    other.at = PicturePoint{rng.uniform(80, 320), rng.uniform(80, 320)};
+    params.profile.slices.push_back(other);
+  }
+  params.bones = anyEdits(rng, region);
+  REQUIRE(isValid(params));
+  const auto curves = matchedCurves(params.profile.slices, params.sides);
+  REQUIRE(curves.ok());
+  const Result<mesh::TriMesh> mesh = inflateRegion(region, {400, 400}, params);
+  REQUIRE_MESSAGE(mesh.ok(), (mesh.ok() ? std::string() : failureSentence(mesh.failure())));
+  const mesh::MeshReport report = requireLawful(mesh.value());
+  std::vector<ProfileCurve> first;
+  for (const auto& curve : curves.value()) first.push_back(curve.front());
+  Topology expected;
+  for (const geometry::Contours& piece : geometry::piecesOf(region)) {
+    const Topology own = topologyOf(first, static_cast<int>(piece.size()) - 1);
+    expected.shells += own.shells;
+    expected.genus += own.genus;
+  }
+  CHECK(report.shells == expected.shells);
+  CHECK(report.genus == expected.genus);
+  return mesh.value();
+}
+
 }  // namespace
 
 TEST_CASE("random regions, slices and edits of bones leave lawful solids with the shells and handles of the formula") {
-  const auto ready = readyProfiles();
   int crossing = 0;
   for (const std::uint64_t seed : testing::seeds(1, 40)) {
     CAPTURE(seed);
-    Rng rng(seed);
-    const geometry::Contours region = anyRegion(rng);
-    InflateParams params;
-    params.points = static_cast<int>(rng.uniform(300, 2500));
-    params.height = rng.uniform(0.3, 2);
-    params.sides = static_cast<InflateSides>(rng.below(3));
-    params.profile = *readyProfile(ready[1 + rng.below(static_cast<std::uint32_t>(ready.size() - 1))].key);
-    params.profile.follow = rng.uniform(0, 1);
-    while (rng.below(3) == 0 && params.profile.slices.size() < kMostSlices) {
-      ProfileSlice other = params.profile.slices.front();
-      for (auto& contour : other.shape.contours) {
-        for (SectionPoint& p : contour) p.y *= 0.6;
-      }
-      other.at = PicturePoint{rng.uniform(80, 320), rng.uniform(80, 320)};
-      params.profile.slices.push_back(other);
-    }
-    params.bones = anyEdits(rng, region);
-    REQUIRE(isValid(params));
-    const auto curves = matchedCurves(params.profile.slices, params.sides);
-    REQUIRE(curves.ok());
-    const Result<mesh::TriMesh> mesh = inflateRegion(region, {400, 400}, params);
-    REQUIRE_MESSAGE(mesh.ok(), (mesh.ok() ? std::string() : failureSentence(mesh.failure())));
-    const mesh::MeshReport report = requireLawful(mesh.value());
-    std::vector<ProfileCurve> first;
-    for (const auto& curve : curves.value()) first.push_back(curve.front());
-    Topology expected;
-    for (const geometry::Contours& piece : geometry::piecesOf(region)) {
-      const Topology own = topologyOf(first, static_cast<int>(piece.size()) - 1);
-      expected.shells += own.shells;
-      expected.genus += own.genus;
-    }
-    CHECK(report.shells == expected.shells);
-    CHECK(report.genus == expected.genus);
-    crossing += mesh::selfCrossing(mesh.value()) ? 1 : 0;
+    crossing += mesh::selfCrossing(randomPuff(seed)) ? 1 : 0;
   }
-  MESSAGE(crossing << " of " << testing::rounds(40) << " go through themselves");
+  MESSAGE(crossing << " of " << testing::rounds(39) << " go through themselves");
   CHECK(crossing == 0);
+}
+
+TEST_CASE("rings in narrow places do not go through each other") {
+  for (const std::uint64_t seed : {1432, 3278, 3338, 3701}) {
+    CAPTURE(seed);
+    CHECK(!mesh::selfCrossing(randomPuff(seed)));
+  }
 }
