@@ -48,8 +48,6 @@ LoftRecipe fullRecipe() {
                        {0.75, ribs::Side::Right, -1.5, 17.25, 0.3, false}};
   recipe.edits.added = {0.5, 0.625};
   recipe.edits.removed = {0.1};
-  recipe.edits.startFan = {{0.25, 0.75}, {1.0 / 3, 0}, {0.25, -0.75}};
-  recipe.edits.endFan = {{1.5, 1}, {1.5, -1}};
   recipe.ignored = {{{{80, 60}}, 12}, {{{90, 60}, {91, 61}}, 2}};
   recipe.pose.stroke = {{40, 100}, {90, 90}, {150, 110}};
   recipe.pose.depth.points = {{0, 0}, {0.5, 12}, {1, -3}};

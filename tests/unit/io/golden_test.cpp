@@ -159,6 +159,19 @@ TEST_CASE("the golden document with solids reads as what was written") {
   CHECK(read.lastStepId == 4);
 }
 
+TEST_CASE("the golden document with outlines of ends reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-ends.json");
+  document::LoftRecipe neck;
+  neck.picture = PictureId{1};
+  neck.stroke = {{20, 40}, {40, 42}, {60, 40}};
+  neck.spine.ribs = 8;
+  neck.edits.ends = {{1, ribs::Side::Left, 0, 11}, {1, ribs::Side::Right, 0, 10.5}};
+  neck.edits.startFan = {{-0.25, 0}};
+  neck.edits.endFan = {{0.5, 0.75}, {1.25, 0.125}, {0.5, -0.75}};
+  REQUIRE(read.parts.size() == 1);
+  CHECK(read.parts[0]->recipe == document::Recipe(neck));
+}
+
 TEST_CASE("the golden document with regions reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-regions.json");
   const document::InflateRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
