@@ -125,8 +125,8 @@ class Stretches {
   std::size_t placeOf(double way) const { return static_cast<std::size_t>(way / cell_); }
   template <class Visit>
   void eachCell(const Stretch& stretch, const Visit& visit) const {
-    const auto [left, right] = std::minmax(stretch[0].x - low_.x, stretch[1].x - low_.x);
-    const auto [below, above] = std::minmax(stretch[0].y - low_.y, stretch[1].y - low_.y);
+    const auto [left, right] = std::minmax({stretch[0].x - low_.x, stretch[1].x - low_.x});
+    const auto [below, above] = std::minmax({stretch[0].y - low_.y, stretch[1].y - low_.y});
     for (std::size_t y = placeOf(below); y <= placeOf(above); ++y) {
       for (std::size_t x = placeOf(left); x <= placeOf(right); ++x) visit(y * wide_ + x);
     }

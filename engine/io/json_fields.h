@@ -377,22 +377,31 @@ template <class Space>
 std::string wanted(const std::vector<Vec3<Space>>&) {
   return "one list x, y, z, x, y, z … of numbers";
 }
-/// The names that it knows.
+/// Of an enum without kCount.
 template <Keyed T>
 std::string wanted(const T&) {
   return "one of those that are known";
 }
-template <Keyed T>
-  requires requires { T::kCount; }
-std::string wanted(const T&) {
+/// `keyOf` of each from 0 on, but those without a name.
+template <class KeyOf>
+std::string oneOf(int count, const KeyOf& keyOf) {
   std::string all;
-  for (int i = 0; i < static_cast<int>(T::kCount); ++i) {
-    const std::string_view key = keyOf(static_cast<T>(i));
+  for (int i = 0; i < count; ++i) {
+    const std::string_view key = keyOf(i);
     if (!key.empty()) all += (all.empty() ? "\"" : ", \"") + std::string(key) + '"';
   }
   return "one of " + all;
 }
-
+/// The names that it knows.
+template <Keyed T>
+  requires requires { T::kCount; }
+std::string wanted(const T&) {
+  return oneOf(static_cast<int>(T::kCount), [](int i) { return keyOf(static_cast<T>(i)); });
+}
+inline std::string wanted(const document::PartKind&) {
+  return oneOf(static_cast<int>(document::PartKind::kCount),
+               [](int i) { return document::kindKey(static_cast<document::PartKind>(i)); });
+}
 template <Struct T>
 std::string wanted(const T& value) {
   NameMembers names;
@@ -409,13 +418,6 @@ std::string wanted(const std::vector<Box<T>>&) {
 }
 
 inline constexpr const char* kEach = "each member of the list must be ";
-
-inline std::string wanted(const document::PartKind&) {
-  std::string all;
-  for (int i = 0; i < static_cast<int>(document::PartKind::kCount); ++i)
-    all += (all.empty() ? "\"" : ", \"") + std::string(document::kindKey(static_cast<document::PartKind>(i))) + '"';
-  return "one of " + all;
-}
 
 /// Counts a value of the wrong type, and says what it must be.
 template <class T>
