@@ -186,8 +186,16 @@ std::uint32_t takeSum(std::span<const std::uint8_t> bytes) {
   return sum;
 }
 
+/// The checksum of what packJson wrote. From version 5 on it is also of the version: a text whose first character was
+/// changed is none of another version.
+std::uint32_t sumOf(std::vector<std::uint8_t> packed, int version) {
+  constexpr int kFirstOfVersion = 5;
+  if (version >= kFirstOfVersion) packed.push_back(static_cast<std::uint8_t>(version));
+  return crc32(packed) & kSumMask;
+}
+
 /// Three bytes of the checksum, then what packJson wrote, without the zeros at its end.
-std::optional<std::vector<std::uint8_t>> packedIn(std::string_view body) {
+std::optional<std::vector<std::uint8_t>> packedIn(std::string_view body, int version) {
   if (body.ends_with(kDigits64[0])) return std::nullopt;
   std::string whole(body);
   while (whole.size() % 4 != 0 || whole.size() < 4 * kSumBytes) whole += kDigits64[0];
@@ -196,7 +204,7 @@ std::optional<std::vector<std::uint8_t>> packedIn(std::string_view body) {
   const std::uint32_t sum = takeSum(std::span(*bytes).first(kSumBytes));
   bytes->erase(bytes->begin(), bytes->begin() + kSumBytes);
   while (!bytes->empty() && bytes->back() == 0) bytes->pop_back();
-  return (crc32(*bytes) & kSumMask) == sum ? bytes : std::nullopt;
+  return sumOf(*bytes, version) == sum ? bytes : std::nullopt;
 }
 
 /// Of versions 1 and 2: all of what packJson wrote, then four bytes.
@@ -220,7 +228,7 @@ Result<Json> jsonOf(std::string_view text) {
   if (text.size() < *length && *length <= kMostShareText)
     return {Error::LinkCut, std::to_string(*length - text.size()) + " characters are missing"};
   if (text.size() != *length) return Error::LinkAltered;
-  const auto packed = version < kFirstOnCurves ? packedFirst(text) : packedIn(text);
+  const auto packed = version < kFirstOnCurves ? packedFirst(text) : packedIn(text, version);
   if (!packed) return Error::LinkAltered;
   return unpackJson(*packed, version);
 }
@@ -262,14 +270,14 @@ document::Document shareable(const Document& document) {
   return read.ok() ? std::move(read).value() : Document{};
 }
 
-std::string sealShareText(std::vector<std::uint8_t> packed) {
+std::string sealShareText(std::vector<std::uint8_t> packed, int version) {
   while (!packed.empty() && packed.back() == 0) packed.pop_back();
-  const std::uint32_t sum = crc32(packed);
+  const std::uint32_t sum = sumOf(packed, version);
   for (std::size_t shift = 0; shift < 8 * kSumBytes; shift += 8)
     packed.insert(packed.begin(), static_cast<std::uint8_t>(sum >> shift));
   std::string body = toText(packed);
   while (body.ends_with(kDigits64[0])) body.pop_back();
-  std::string text(1, static_cast<char>('0' + kShareVersion));
+  std::string text(1, static_cast<char>('0' + version));
   appendNumber(text, body.size());
   return text + body;
 }

@@ -50,8 +50,8 @@ using CopiedPhotos = std::map<PictureId, std::shared_ptr<const image::Picture>>;
 /// Only letters, digits, '-' and '_'. Equal documents and copies give equal texts; reading gives shareable(document),
 /// with the photos that are given to it. Error: OutOfMemory (a document with millions of numbers).
 Result<std::string> writeShareText(const document::Document& document, const PhotoCopies& copies = {});
-/// The text of what packJson wrote: version, length, checksum.
-std::string sealShareText(std::vector<std::uint8_t> packed);
+/// The text of what packJson wrote as this version, 3 … kShareVersion: version, length, checksum.
+std::string sealShareText(std::vector<std::uint8_t> packed, int version = kShareVersion);
 
 /// Whether it begins as a text of any version.
 bool isShareText(std::string_view text);

@@ -139,8 +139,10 @@ std::string shareTextOf(std::span<const std::uint8_t> input) {
   const bool isTold = first >= 1 && first <= kShareVersion;
   const auto packed = input.subspan(isTold ? 1 : 0);
   std::vector<std::uint8_t> bytes(packed.begin(), packed.end());
-  std::string text = isTold && first < 3 ? sealAsFirst(std::move(bytes)) : sealShareText(std::move(bytes));
-  if (isTold) text.front() = static_cast<char>('0' + first);
+  if (!isTold) return sealShareText(std::move(bytes));
+  if (first >= 3) return sealShareText(std::move(bytes), first);
+  std::string text = sealAsFirst(std::move(bytes));
+  text.front() = static_cast<char>('0' + first);
   return text;
 }
 

@@ -331,9 +331,9 @@ void measureLevels(const Spine& spine, const std::vector<Rib>& was, std::vector<
 
 bool isValid(const RibEdits& edits) {
   const auto share = [](double value) { return value >= 0 && value <= 1; };
-  const auto isFan = [](const std::vector<RibPoint>& fan) {
-    return fan.size() <= kMostFanPoints &&
-           std::ranges::all_of(fan, [](RibPoint p) { return std::max(std::abs(p.x), std::abs(p.y)) <= kFarthestFan; });
+  const auto near = [](RibPoint p) { return std::abs(p.x) <= kFarthestFan && std::abs(p.y) <= kFarthestFan; };
+  const auto isFan = [&](const std::vector<RibPoint>& fan) {
+    return fan.size() <= kMostFanPoints && std::ranges::all_of(fan, near);
   };
   return isFan(edits.startFan) && isFan(edits.endFan) && edits.ends.size() <= kMostEndEdits &&
          edits.added.size() <= kMostAddedRibs && edits.removed.size() <= kMostAddedRibs &&

@@ -154,15 +154,15 @@ TEST_CASE("links are short, and every rib end is at most a quarter of a pixel of
   }
 }
 
-TEST_CASE("the ends of a shared part are where they were, as are its sides: its solid is the same to within a pixel") {
+TEST_CASE("the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels") {
   for (const Document& document : {onPhoto(40), ofLimbs(7, 40)}) {
     const pipeline::Derived before = derivedOf(document);
     const pipeline::Derived after = derivedOf(io::readShareText(shareModel(document, before).value().text).value());
     for (std::size_t k = 0; k < before.parts.size(); ++k) {
       CAPTURE(k);
       const auto &was = *before.parts[k].shape, &is = *after.parts[k].shape;
-      CHECK(apart(was.mesh, is.mesh) <= 1);
-      CHECK(apart(is.mesh, was.mesh) <= 1);
+      CHECK(apart(was.mesh, is.mesh) <= 1.25);
+      CHECK(apart(is.mesh, was.mesh) <= 1.25);
     }
   }
 }

@@ -285,7 +285,7 @@ TEST_CASE("a fan that is put on an end stands on its rib, wherever edits bring t
     // From the left round to the right, outwards.
     CHECK(fan.front().y > 0);
     CHECK(fan.back().y < 0);
-    for (const RibPoint p : fan) CHECK(p.x > 0);
+    CHECK(fan[fan.size() / 2].x > 0.5);
     const auto points = [&](const RibSet& set) { return atStart ? set.startFan.points : set.endFan.points; };
     // The one that was found, put there, is where it was; the other end and the ribs stay.
     const RibSet same = band.edited(edits);
