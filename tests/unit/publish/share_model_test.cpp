@@ -154,7 +154,8 @@ TEST_CASE("links are short, and every rib end is at most a quarter of a pixel of
   }
 }
 
-TEST_CASE("the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels") {
+TEST_CASE(
+    "the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels") {
   for (const Document& document : {onPhoto(40), ofLimbs(7, 40)}) {
     const pipeline::Derived before = derivedOf(document);
     const pipeline::Derived after = derivedOf(io::readShareText(shareModel(document, before).value().text).value());
