@@ -25,9 +25,10 @@ inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 /// What a text keeps of a document: places on pictures as multiples of ¼ pixel of a picture of 1024 pixels (2ⁿ/4 of
 /// larger ones), strokes without the points that lie on the line between others to within half of that; rib ends that
 /// were put somewhere as multiples of ½ pixel: at a rib along its curve and beside it (ribs/edit/end_curves.h), else
-/// (and behind the first 20,000 ribs) in the frame of the spine. So nothing is off by more than ¼ pixel of a picture of
-/// 1024 pixels in either direction. Places along a spine are multiples of 1/4096, or at the rib that is within half of
-/// that of one; other numbers have 7 digits. A photo is a white picture of its size.
+/// (and behind the first 20,000 ribs) in the frame of the spine. So these are not off by more than ¼ pixel of a picture
+/// of 1024 pixels in either direction. Outlines of ends are told in steps of a pixel out of their rib and of two along
+/// them (share_ends.h): ½ pixel off across. Places along a spine are multiples of 1/4096, or at the rib that is within
+/// half of that of one; other numbers have 7 digits. A photo is a white picture of its size.
 document::Document shareable(const document::Document& document);
 
 /// The grid of places on a picture of this size, picture pixels.

@@ -369,9 +369,9 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   CHECK(wanted.size() > 45);
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
-    // A key that is spelled takes as many characters of a link as its name has: a later version of the text begins with
-    // it.
-    CHECK_MESSAGE(isPackedWord(key), key);
+    // A key that is spelled takes as many characters of a link as its name has; the examples never change.
+    static const std::set<std::string> kCameLater{};  // than version 5 of the text
+    CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }
 }
 
