@@ -53,8 +53,8 @@ async function subset(file, letters, options) {
   return subsetFont(readFileSync(file), letters, { targetFormat: 'truetype', noHinting: true, ...options });
 }
 
-/** Without substitutions (ligatures, small capitals); kerning stays. */
-const kPlain = { noLayoutClosure: true, dropTables: ['GSUB'] };
+/** Without substitutions (ligatures, small capitals) and kerning, which the canvas does not know and half of the file is. */
+const kPlain = { noLayoutClosure: true, dropTables: ['GSUB', 'GPOS'] };
 
 export const textFont = (file) => subset(file, textLetters(), kPlain);
 export const iconFont = (file) => subset(file, String.fromCodePoint(...iconCodes()), kPlain);

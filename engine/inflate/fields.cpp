@@ -20,14 +20,13 @@ namespace {
 using geometry::PlaneMesh;
 constexpr std::uint32_t kNone = PlaneMesh::kNone;
 
-constexpr double kPoints = 1000;      ///< of the mesh, about, times the square of the fineness
-constexpr double kThin = 0.7;         ///< of the half width of what is thin: the spacing there
-constexpr double kCoarseThin = 0.45;  ///< and of a mesh that may be coarser: its bones must not be left out as too near
-constexpr double kMostOnRim = 3000;   ///< points of all outlines, about
-constexpr double kNearEnd = 1.5;      ///< spacings: ends nearer to the outline are left out
-constexpr double kSmooth = 0.15;      ///< of the half width: how far creases are smoothed
-constexpr int kRounds = 8;            ///< of floods
-constexpr int kTries = 3;             ///< with a finer mesh each
+constexpr double kPoints = 1000;     ///< of the mesh, about, times the square of the fineness
+constexpr double kThin = 0.7;        ///< of the half width of what is thin: the spacing there
+constexpr double kMostOnRim = 3000;  ///< points of all outlines, about
+constexpr double kNearEnd = 1.5;     ///< spacings of a full mesh: ends nearer to the outline are left out
+constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
+constexpr int kRounds = 8;           ///< of floods
+constexpr int kTries = 3;            ///< with a finer mesh each
 
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
@@ -52,8 +51,12 @@ double thinness(const Skeleton& skeleton) {
 
 class BoneMaker {
  public:
-  BoneMaker(const Skeleton& skeleton, double spacing)
-      : skeleton_(skeleton), spacing_(spacing), degree_(skeleton.points.size(), 0), index_(degree_.size(), kNone) {
+  BoneMaker(const Skeleton& skeleton, double spacing, double nearEnd)
+      : skeleton_(skeleton),
+        spacing_(spacing),
+        nearEnd_(nearEnd),
+        degree_(skeleton.points.size(), 0),
+        index_(degree_.size(), kNone) {
     for (const auto& branch : skeleton.branches) {
       for (std::size_t i = 1; i < branch.size(); ++i) ++degree_[branch[i]], ++degree_[branch[i - 1]];
     }
@@ -66,7 +69,7 @@ class BoneMaker {
  private:
   using Branch = std::vector<std::uint32_t>;
 
-  bool isShort(std::uint32_t p) const { return skeleton_.points[p].radius < kNearEnd * spacing_; }
+  bool isShort(std::uint32_t p) const { return skeleton_.points[p].radius < nearEnd_; }
   /// Without what lies at its free ends near the outline; something of it always stays.
   Branch trimmed(Branch branch) const {
     if (branch.size() < 2) return branch;
@@ -118,7 +121,7 @@ class BoneMaker {
   }
 
   const Skeleton& skeleton_;
-  double spacing_;
+  double spacing_, nearEnd_;
   std::vector<int> degree_;
   std::vector<std::uint32_t> index_;
   Bones bones_;
@@ -367,10 +370,12 @@ std::vector<SectionPoint> gradientsOf(const PlaneMesh& mesh, const std::vector<d
   return out;
 }
 
-/// With points so far apart.
-Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleton, double spacing) {
-  const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, spacing));
-  std::optional<Boned> boned = bonedMesh(rim, BoneMaker(skeleton, spacing).run(), spacing);
+/// With points so far apart. In a coarse mesh outlines keep points that are nearer: rows would cross outlines that are
+/// long chords; and the skeleton its ends: without them narrow tips are too thick.
+Result<Fields> fieldsAt(const geometry::Contours& piece, const Skeleton& skeleton, double spacing, double fineness) {
+  const geometry::PlaneRegion rim = geometry::planeRegion(geometry::sampleRegion(piece, std::sqrt(fineness) * spacing));
+  const Bones bones = BoneMaker(skeleton, spacing, kNearEnd * fineness * spacing).run();
+  std::optional<Boned> boned = bonedMesh(rim, bones, spacing);
   if (!boned) return Error::RegionTooFine;
   Fields fields{
       std::move(boned->mesh), rim.sizes, std::move(boned->edges), {}, {}, {}, {}, {}, {}, {}, {}, {}, spacing, 0};
@@ -456,12 +461,11 @@ std::size_t bytesOf(const Fields& fields) {
 
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton, double fineness) {
   const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints)), thin = thinness(skeleton);
-  const double coarse = std::min(even / fineness, kCoarseThin * thin);
-  double spacing = std::max({std::min(even, kThin * thin), coarse, geometry::perimeterOf(piece) / kMostOnRim});
-  Result<Fields> fields = fieldsAt(piece, skeleton, spacing);
+  double spacing = std::max(std::min(even, kThin * thin) / fineness, geometry::perimeterOf(piece) / kMostOnRim);
+  Result<Fields> fields = fieldsAt(piece, skeleton, spacing, fineness);
   for (int attempt = 1; attempt < kTries && !fields; ++attempt) {
     spacing /= 2;
-    fields = fieldsAt(piece, skeleton, spacing);
+    fields = fieldsAt(piece, skeleton, spacing, fineness);
   }
   return fields;
 }

@@ -172,7 +172,7 @@ Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture
   if (!curves) return curves.failure();
   const bool rim = params.profile.across == Across::Length;
   const double reach = rim ? params.profile.reach * std::max(picture.width, picture.height) : 0;
-  RowParams rows{1, params.height, params.profile.follow, 0, picture};
+  RowParams rows{1, finenessFor(params.points), params.height, params.profile.follow, 0, picture};
   double area = 0;
   for (std::size_t i = 0; i < interior.pieces.size(); ++i) {
     area += geometry::areaOf(interior.pieces[i]);

@@ -44,9 +44,9 @@ std::vector<double> turnsAlong(const Row& line) {
   return turns;
 }
 
-/// The closed line with points so far apart as the place and the line's turning allow, `turn` radians from point to
-/// point, even between corners, which stay.
-Row resampled(const Row& line, double spacing, double turn) {
+/// The closed line with points so far apart as the place, times `wider`, and the line's turning allow, `turn` radians
+/// from point to point, even between corners, which stay.
+Row resampled(const Row& line, double spacing, double wider, double turn) {
   const std::size_t n = line.size();
   std::vector<SectionPoint> closed;
   std::vector<double> steps(n + 1, 0.0);
@@ -54,8 +54,8 @@ Row resampled(const Row& line, double spacing, double turn) {
   double finest = spacing;
   for (std::size_t i = 0; i < n; ++i) {
     const LevelPoint &a = line[i], &b = line[(i + 1) % n];
-    const double most =
-        std::max(1e-9, std::min({spacing, kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2}));
+    const double place = std::min(kOfWidth * (a.half + b.half) / 2, kOfAway * (a.away + b.away) / 2);
+    const double most = std::max(1e-9, std::min(spacing, wider * place));
     const double even = distance(a.at, b.at) / most;
     steps[i + 1] = steps[i] + std::clamp(turns[i] / turn, even, even / kNearest);
     finest = std::min(finest, most);
@@ -160,7 +160,7 @@ std::vector<Row> RowTable::traced(std::span<const double> levels) const {
   std::vector<Row> rows(fields_.sizes.size());
   for (LevelLine& line : levelLines(fields_, levels)) {
     if (!rows[line.side].empty()) return {};
-    rows[line.side] = resampled(line.points, spacing_, kTurn);
+    rows[line.side] = resampled(line.points, spacing_, 1 / fineness_, kTurn / fineness_);
   }
   const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
   return whole ? rows : std::vector<Row>{};
@@ -189,7 +189,7 @@ std::vector<Row> RowTable::outlines() const {
       row.push_back(there);
     }
     std::ranges::reverse(row);  // the region on the right
-    rows.push_back(resampled(row, spacing_, INFINITY));
+    rows.push_back(resampled(row, spacing_, 1 / fineness_, INFINITY));
   }
   return rows;
 }

@@ -18,8 +18,9 @@ using Row = std::vector<LevelPoint>;
 /// The rows of one piece: for each outline the line of a level, once for each level, which every slice has its own of.
 class RowTable {
  public:
-  RowTable(const Fields& fields, const geometry::Contours& piece, double spacing)
-      : fields_(fields), piece_(piece), spacing_(spacing) {}
+  /// Where the region is narrow points lie as near as that and the fineness, 0 … 1, ask for.
+  RowTable(const Fields& fields, const geometry::Contours& piece, double spacing, double fineness)
+      : fields_(fields), piece_(piece), spacing_(spacing), fineness_(fineness) {}
 
   /// One row an outline; empty where the level has not one line an outline.
   const std::vector<Row>& at(const ProfileRow& row);
@@ -33,7 +34,7 @@ class RowTable {
 
   const Fields& fields_;
   const geometry::Contours& piece_;
-  double spacing_;
+  double spacing_, fineness_;
   std::map<std::vector<double>, std::vector<Row>> rows_;
 };
 

@@ -372,10 +372,10 @@ class Surface {
           double spacing, bool mayCross, mesh::TriMesh& mesh)
       : mayCross_(mayCross),
         outlines_(fields.sizes.size()),
-        table_(fields, piece, spacing),
+        table_(fields, piece, spacing, params.fineness),
         builder_(fields, params, mesh) {
     constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
-    const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest);
+    const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest / params.fineness);
     for (const std::vector<ProfileCurve>& curve : curves) {
       curves_.push_back({rowsOf(curve, step), curve.front().closed});
       for (const ProfileRow& row : curves_.back().rows) levels_.push_back(row[0].x);

@@ -14,6 +14,7 @@ namespace spineloft::inflate {
 /// How a profile stands over the fields of a piece.
 struct RowParams {
   double spacing = 1;   ///< of the points on the surface, pixels
+  double fineness = 1;  ///< of what is thin, see finenessFor
   double height = 1;    ///< z is multiplied by it
   double follow = 1;    ///< see ProfileParams
   double widest = 1;    ///< the largest half width of the region, pixels

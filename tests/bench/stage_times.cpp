@@ -23,6 +23,7 @@
 #include "engine/vision/edges.h"
 #include "tests/bench/drawing_stages.h"
 #include "tests/bench/pen_stages.h"
+#include "tests/bench/puff_stages.h"
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
@@ -89,37 +90,15 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
   });
 }
 
-/// A blob of 400 pixels, hand-drawn: 300 points.
+/// Other parts made of a region: a circle of 400 pixels.
 void reportRegionStages(bench::Report& report) {
   document::Region region{PictureId{1}, {{}}, 0};
   for (int i = 0; i < 300; ++i) {
-    const double a = 6.283185307179586 * i / 300, r = 180 + 14 * std::sin(3 * a) + 9 * std::sin(5 * a + 1);
-    region.contours[0].push_back({250 + r * std::cos(a), 250 + r * std::sin(a)});
+    const double a = 6.283185307179586 * i / 300;
+    region.contours[0].push_back({250 + 180 * std::cos(a), 250 + 180 * std::sin(a)});
   }
-  const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}};
-  const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}};
-  document::InflateRecipe round = inflate, movingRound = moving;
-  round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
-  const double soft =
-      report.stage("puff of 400 px, 4000 points", 21, [&](int) { must(pipeline::regionStage(inflate, {500, 500})); });
-  const double softMoving =
-      report.stage("puff under the pen, 900 points", 51, [&](int) { must(pipeline::regionStage(moving, {500, 500})); });
-  const auto ratio = [&](const char* name, int runs, double of, const std::function<void(int)>& work) {
-    report.value(std::string(name) + ", ratio to a soft puff", report.stage(name, runs, work) / of);
-  };
-  ratio("puff with a slice, 4000 points", 21, soft, [&](int) { must(pipeline::regionStage(round, {500, 500})); });
-  ratio("puff with a slice, 900 points", 51, softMoving,
-        [&](int) { must(pipeline::regionStage(movingRound, {500, 500})); });
-  pipeline::KnownInterior interior;
-  must(pipeline::regionStage(round, {500, 500}, interior));
-  ratio("slice of a puff dragged, 4000 points", 21, soft,
-        [&](int) { must(pipeline::regionStage(round, {500, 500}, interior)); });
-  ratio("slice of a puff dragged, 900 points", 51, softMoving,
-        [&](int) { must(pipeline::regionStage(movingRound, {500, 500}, interior)); });
-  const geometry::Contours clean = must(geometry::cleanRegion(region.contours, 0, {500, 500}));
-  ratio("bones of a puff", 51, soft, [&](int) { must(inflate::editedSkeleton(clean, {})); });
   report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::regionStage(extrude, {500, 500})); });
   report.stage("spun ring of 400 px", 51, [&](int) { must(pipeline::regionStage(spun, {500, 500})); });
 }
@@ -162,6 +141,7 @@ void printStageTimes() {
   report.stage("silhouette", 21, [&](int) {
     if (pipeline::rasteriseSilhouette(shape.mesh, size).pixels.empty()) std::exit(1);
   });
+  bench::reportPuffStages(report);
   reportRegionStages(report);
   bench::reportDrawingStages(report);
   bench::reportPenStages(picture, edges, report);
@@ -185,7 +165,7 @@ int main(int count, char** words) {
   } else if (count == 2 && std::string(words[1]) == "--puffs") {
     bench::tubePicture({2304, 1728});  // as after other work: what is freed stays with the process
     bench::Report report;
-    reportRegionStages(report);
+    bench::reportPuffStages(report);
   } else if (count == 2 && std::string(words[1]) == "--drawings") {
     bench::Report report;
     bench::reportDrawingStages(report);

@@ -202,6 +202,20 @@ TEST_CASE("under the pen, with coarser skeleton and fields, a puff is nearly wha
   CHECK(most < 0.03);
 }
 
+TEST_CASE("a puff of few points has about as many, however narrow it is, and nearly the volume of a fine one") {
+  double most = 0;
+  for (const NamedShape& shape : namedShapes()) {
+    CAPTURE(shape.name);
+    constexpr int kFew = 900;
+    const Puffed coarse = whole(shape.contours, paramsOf(kCircle, kFew));
+    CHECK(coarse.mesh.positions.size() < 1.75 * kFew);
+    const Puffed fine = puffed(shape.contours, paramsOf(kCircle, 4000));
+    most = std::max(most, std::abs(coarse.report.volume / fine.report.volume - 1));
+  }
+  MESSAGE("the volume differs by up to " << 100 * most << " %");
+  CHECK(most < 0.05);
+}
+
 TEST_CASE("shells and handles follow from the curves of the slice and the holes of the region") {
   const std::pair<const char*, const SectionShape*> slices[] = {
       {"circle", &kCircle}, {"ring", &kRing},         {"rings with holes", &kRingsWithHoles},

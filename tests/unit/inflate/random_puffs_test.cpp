@@ -108,13 +108,10 @@ mesh::TriMesh randomPuff(std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("random regions, slices and edits of bones leave lawful solids with the shells and handles of the formula") {
-  int crossing = 0;
   for (const std::uint64_t seed : testing::seeds(1, 40)) {
     CAPTURE(seed);
-    crossing += mesh::selfCrossing(randomPuff(seed)) ? 1 : 0;
+    CHECK(!mesh::selfCrossing(randomPuff(seed)));
   }
-  MESSAGE(crossing << " of " << testing::rounds(39) << " go through themselves");
-  CHECK(crossing == 0);
 }
 
 TEST_CASE("rings in narrow places do not go through each other") {
