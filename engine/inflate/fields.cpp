@@ -26,7 +26,7 @@ constexpr double kMostOnRim = 3000;  ///< points of all outlines, about
 constexpr double kNearEnd = 1.5;     ///< spacings of a full mesh: ends nearer to the outline are left out
 constexpr double kSmooth = 0.15;     ///< of the half width: how far creases are smoothed
 constexpr int kRounds = 8;           ///< of floods
-constexpr int kTries = 3;            ///< with a finer mesh each
+constexpr int kTries = 3;            ///< with a full mesh, and finer ones
 
 /// The half width that a tenth of the skeleton's length is below.
 double thinness(const Skeleton& skeleton) {
@@ -461,11 +461,10 @@ std::size_t bytesOf(const Fields& fields) {
 
 Result<Fields> fieldsOf(const geometry::Contours& piece, const Skeleton& skeleton, double fineness) {
   const double even = std::sqrt(geometry::areaOf(piece) / (std::sqrt(0.75) * kPoints)), thin = thinness(skeleton);
-  double spacing = std::max(std::min(even, kThin * thin) / fineness, geometry::perimeterOf(piece) / kMostOnRim);
-  Result<Fields> fields = fieldsAt(piece, skeleton, spacing, fineness);
-  for (int attempt = 1; attempt < kTries && !fields; ++attempt) {
-    spacing /= 2;
-    fields = fieldsAt(piece, skeleton, spacing, fineness);
+  const double full = std::min(even, kThin * thin), least = geometry::perimeterOf(piece) / kMostOnRim;
+  Result<Fields> fields = fieldsAt(piece, skeleton, std::max(full / fineness, least), fineness);
+  for (int attempt = fineness < 1 ? 0 : 1; attempt < kTries && !fields; ++attempt) {
+    fields = fieldsAt(piece, skeleton, std::ldexp(std::max(full, least), -attempt), 1);
   }
   return fields;
 }

@@ -152,7 +152,7 @@ const std::vector<Row>& RowTable::at(const ProfileRow& row) {
   const auto found = rows_.find(levels);
   if (found != rows_.end()) return found->second;
   const bool outline = std::ranges::all_of(levels, [](double level) { return level >= kOutline; });
-  std::vector<Row> made = outline ? outlines() : traced(levels);
+  std::vector<Row> made = !outline ? traced(levels) : way_.chords ? chords() : outlines();
   return rows_[std::move(levels)] = std::move(made);
 }
 
@@ -160,7 +160,7 @@ std::vector<Row> RowTable::traced(std::span<const double> levels) const {
   std::vector<Row> rows(fields_.sizes.size());
   for (LevelLine& line : levelLines(fields_, levels)) {
     if (!rows[line.side].empty()) return {};
-    rows[line.side] = resampled(line.points, spacing_, 1 / fineness_, kTurn / fineness_);
+    rows[line.side] = resampled(line.points, way_.spacing, 1 / way_.fineness, kTurn / way_.fineness);
   }
   const bool whole = std::ranges::none_of(rows, [](const Row& row) { return row.empty(); });
   return whole ? rows : std::vector<Row>{};
@@ -177,7 +177,7 @@ std::vector<Row> RowTable::outlines() const {
   }
   std::vector<Row> rows;
   constexpr double kFiner = 4;  // than points of rows: those lie on the outline
-  for (const auto& outline : geometry::sampleRegion(piece_, std::min(spacing_, fields_.spacing) / kFiner)) {
+  for (const auto& outline : geometry::sampleRegion(piece_, std::min(way_.spacing, fields_.spacing) / kFiner)) {
     Row row;
     for (const PicturePoint p : outline) {
       const SectionPoint at{p.x, -p.y};
@@ -189,7 +189,19 @@ std::vector<Row> RowTable::outlines() const {
       row.push_back(there);
     }
     std::ranges::reverse(row);  // the region on the right
-    rows.push_back(resampled(row, spacing_, 1 / fineness_, INFINITY));
+    rows.push_back(resampled(row, way_.spacing, 1 / way_.fineness, INFINITY));
+  }
+  return rows;
+}
+
+std::vector<Row> RowTable::chords() const {
+  std::vector<Row> rows;
+  std::uint32_t last = 0;
+  for (const std::size_t size : fields_.sizes) {
+    const std::uint32_t first = last;
+    last += static_cast<std::uint32_t>(size);
+    Row& row = rows.emplace_back();
+    for (std::uint32_t i = last; i-- > first;) row.push_back(levelPointOf(fields_, i));  // the region on the right
   }
   return rows;
 }

@@ -18,9 +18,15 @@ using Row = std::vector<LevelPoint>;
 /// The rows of one piece: for each outline the line of a level, once for each level, which every slice has its own of.
 class RowTable {
  public:
-  /// Where the region is narrow points lie as near as that and the fineness, 0 … 1, ask for.
-  RowTable(const Fields& fields, const geometry::Contours& piece, double spacing, double fineness)
-      : fields_(fields), piece_(piece), spacing_(spacing), fineness_(fineness) {}
+  /// How far points lie apart, and whether outlines are those of the piece or of the fields' mesh, whose chords no row
+  /// crosses.
+  struct Way {
+    double spacing;
+    double fineness;  ///< see finenessFor
+    bool chords;
+  };
+  RowTable(const Fields& fields, const geometry::Contours& piece, const Way& way)
+      : fields_(fields), piece_(piece), way_(way) {}
 
   /// One row an outline; empty where the level has not one line an outline.
   const std::vector<Row>& at(const ProfileRow& row);
@@ -31,10 +37,12 @@ class RowTable {
   std::vector<Row> traced(std::span<const double> levels) const;
   /// The outlines themselves; H is that of the nearest place on the rim of the fields.
   std::vector<Row> outlines() const;
+  /// Those of the fields' mesh.
+  std::vector<Row> chords() const;
 
   const Fields& fields_;
   const geometry::Contours& piece_;
-  double spacing_, fineness_;
+  const Way way_;
   std::map<std::vector<double>, std::vector<Row>> rows_;
 };
 

@@ -365,14 +365,14 @@ double thicknessOf(double width, const RowParams& params) {
 
 namespace {
 
-/// The surface over a piece, with points so far apart along its rows, which may cross or not.
+/// The surface over a piece, whose rows may cross or not.
 class Surface {
  public:
   Surface(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves, const RowParams& params,
-          double spacing, bool mayCross, mesh::TriMesh& mesh)
+          const RowTable::Way& way, bool mayCross, mesh::TriMesh& mesh)
       : mayCross_(mayCross),
         outlines_(fields.sizes.size()),
-        table_(fields, piece, spacing, params.fineness),
+        table_(fields, piece, way),
         builder_(fields, params, mesh) {
     constexpr double kFinest = 1.0 / 64, kCoarsest = 0.3;  // half widths between rows
     const double step = std::clamp(params.spacing / meanHalf(fields), kFinest, kCoarsest / params.fineness);
@@ -385,7 +385,7 @@ class Surface {
   bool run() {
     return std::ranges::all_of(curves_, [&](const Curve& curve) { return add(curve); });
   }
-  /// Whether rows cross in the plane; where none do the surface does not go through itself.
+  /// Whether rows cross in the plane; where none do the surface of one slice does not go through itself.
   bool rowsCross() const { return table_.cross(); }
 
  private:
@@ -461,15 +461,16 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
                const RowParams& params, mesh::TriMesh& mesh) {
   // Rows of a narrow edge lie near each other: long chords would cut into their neighbours.
   constexpr double kOfEdge = 0.5;  // of its width
-  constexpr int kTries = 3;        // with rows twice as fine each
+  constexpr int kTries = 3;        // with rows twice as fine each, and outlines that no row crosses
   const double spacing = fields.reach > 0 ? std::min(kOfEdge * fields.reach, params.spacing) : params.spacing;
   const std::size_t points = mesh.positions.size(), triangles = mesh.triangles.size();
-  const bool plain = isPlain(curves);
+  const bool plain = isPlain(curves), changing = curves.front().size() > 1;
   for (int attempt = 0; attempt <= kTries; ++attempt) {
-    // Rows next to an outline may cross it where the fields' mesh, which is coarser, has chords of it.
-    const bool any = attempt == kTries;
-    Surface surface(fields, piece, curves, params, any ? spacing : std::ldexp(spacing, -attempt), any, mesh);
-    if (surface.run() && (any || plain || !surface.rowsCross() || !mesh::selfCrossing(mesh))) return Done{};
+    const bool last = attempt == kTries;
+    const RowTable::Way way{last ? spacing : std::ldexp(spacing, -attempt), params.fineness, attempt > 0};
+    Surface surface(fields, piece, curves, params, way, last, mesh);
+    if (surface.run() && (last || plain || !(changing || surface.rowsCross()) || !mesh::selfCrossing(mesh)))
+      return Done{};
     mesh.positions.resize(points);
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);

@@ -114,8 +114,8 @@ TEST_CASE("random regions, slices and edits of bones leave lawful solids with th
   }
 }
 
-TEST_CASE("rings in narrow places do not go through each other") {
-  for (const std::uint64_t seed : {1432, 3278, 3338, 3701}) {
+TEST_CASE("rings in narrow places, and rows next to outlines that bend, do not go through each other") {
+  for (const std::uint64_t seed : {343, 498, 1432, 1740, 2173, 2497, 2624, 3278, 3338, 3575, 3701}) {
     CAPTURE(seed);
     CHECK(!mesh::selfCrossing(randomPuff(seed)));
   }
