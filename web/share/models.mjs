@@ -3,8 +3,8 @@ import { days, kLimits } from './limits.mjs';
 import { Refusal } from './refusal.mjs';
 import { isSame } from './secrets.mjs';
 
-export function modelRoutes(app, { store, clock, idOf, needSecret, bytesOf, sendBytes }) {
-  const limit = { config: { rateLimit: kLimits.models }, bodyLimit: kLimits.modelBytes };
+export function modelRoutes(app, { store, clock, limits, idOf, needSecret, bytesOf, sendBytes }) {
+  const limit = { config: { rateLimit: { ...kLimits.models, ...limits.models } }, bodyLimit: kLimits.modelBytes };
 
   // Again with the same bytes and secret it changes nothing: an answer that was lost is asked for again.
   app.put('/v1/models/:id', limit, async (request, reply) => {

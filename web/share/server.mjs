@@ -182,7 +182,7 @@ export async function makeShare({
     done(null, body),
   );
 
-  const tools = { store, clock, addresses, misses, watchers, ...helpers() };
+  const tools = { store, clock, limits, addresses, misses, watchers, ...helpers() };
   modelRoutes(app, tools);
   roomRoutes(app, tools);
   app.get('/healthz', async () => {
