@@ -31,7 +31,7 @@ test('every icon that is used is in the font as it was, and no other', async () 
 });
 
 for (const style of ['400Regular', '600SemiBold']) {
-  test(`Inter ${style} has the letters of the canvas as they were, with their kerning`, async () => {
+  test(`Inter ${style} has the letters of the canvas as they were, without kerning, which the canvas does not know`, async () => {
     const path = file(`@expo-google-fonts/inter/${style}/Inter_${style}.ttf`);
     const [before, after] = [openFont(readFileSync(path)), openFont(await textFont(path))];
     for (const letter of textLetters()) {
@@ -40,8 +40,8 @@ for (const style of ['400Regular', '600SemiBold']) {
       assert.equal(after.outline(code), before.outline(code), letter);
       assert.equal(after.advance(code), before.advance(code), letter);
     }
-    for (const pair of ['AV', 'To', 'Wä', 'Ту']) assert.equal(after.width(pair), before.width(pair), pair);
-    assert.notEqual(after.width('AV'), after.width('A') + after.width('V'));
+    for (const pair of ['AV', 'To', 'Wä', 'Ту'])
+      assert.equal(after.width(pair), after.width(pair[0]) + after.width(pair[1]), pair);
   });
 }
 
