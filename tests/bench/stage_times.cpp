@@ -90,13 +90,9 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
   });
 }
 
-/// Other parts made of a region: a circle of 400 pixels.
+/// Other parts made of a region.
 void reportRegionStages(bench::Report& report) {
-  document::Region region{PictureId{1}, {{}}, 0};
-  for (int i = 0; i < 300; ++i) {
-    const double a = 6.283185307179586 * i / 300;
-    region.contours[0].push_back({250 + 180 * std::cos(a), 250 + 180 * std::sin(a)});
-  }
+  const document::Region region{PictureId{1}, bench::blob(), 0};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
   report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::regionStage(extrude, {500, 500})); });
