@@ -25,35 +25,46 @@ T must(Result<T> result) {
   return std::move(result).value();
 }
 
+double pointsOf(const document::InflateRecipe& recipe) {
+  return static_cast<double>(must(pipeline::regionStage(recipe, kPicture)).mesh.positions.size());
+}
+
+/// Stages of a puff with a slice beside a soft one of the same recipe, and of one that comes out with as many points.
 /// `what` is empty, or begins with a space.
 void reportShape(const geometry::Contours& contours, const std::string& what, Report& report) {
   const document::Region region{PictureId{1}, contours, 0};
-  const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}};
-  const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}};
-  document::InflateRecipe round = inflate, movingRound = moving;
-  round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
-  const auto stage = [&](const std::string& name, int runs, const std::function<void(int)>& work) {
-    return report.stage(name, runs, work);
+  struct Size {
+    int points, runs;
+    std::string softStage;
   };
-  const double soft = stage("puff" + (what.empty() ? " of 400 px" : what) + ", 4000 points", 21,
-                            [&](int) { must(pipeline::regionStage(inflate, kPicture)); });
-  const double softMoving = stage("puff" + what + " under the pen, 900 points", 51,
-                                  [&](int) { must(pipeline::regionStage(moving, kPicture)); });
-  const auto ratio = [&](const std::string& name, int runs, double of, const std::function<void(int)>& work) {
-    report.value(name + ", ratio to a soft puff", stage(name, runs, work) / of);
-  };
-  ratio("puff" + what + " with a slice, 4000 points", 21, soft,
-        [&](int) { must(pipeline::regionStage(round, kPicture)); });
-  ratio("puff" + what + " with a slice, 900 points", 51, softMoving,
-        [&](int) { must(pipeline::regionStage(movingRound, kPicture)); });
-  pipeline::KnownInterior interior;
-  must(pipeline::regionStage(round, kPicture, interior));
-  ratio("slice of a puff" + what + " dragged, 4000 points", 21, soft,
-        [&](int) { must(pipeline::regionStage(round, kPicture, interior)); });
-  ratio("slice of a puff" + what + " dragged, 900 points", 51, softMoving,
-        [&](int) { must(pipeline::regionStage(movingRound, kPicture, interior)); });
-  const geometry::Contours clean = must(geometry::cleanRegion(contours, 0, {500, 500}));
-  ratio("bones of a puff" + what, 51, soft, [&](int) { must(inflate::editedSkeleton(clean, {})); });
+  for (const Size& size : {Size{4000, 21, "puff" + (what.empty() ? " of 400 px" : what) + ", 4000 points"},
+                           Size{900, 51, "puff" + what + " under the pen, 900 points"}}) {
+    const document::InflateRecipe soft{region, {1, inflate::InflateSides::Both, size.points}};
+    document::InflateRecipe round = soft, asMany = soft;
+    round.inflate.profile.slices = {{sections::SectionPreset::Circle}};
+    asMany.inflate.points = static_cast<int>(std::lround(size.points * pointsOf(round) / pointsOf(soft)));
+    const std::string end = ", " + std::to_string(size.points) + " points";
+    const auto stage = [&](const std::string& name, const std::function<void(int)>& work) {
+      return report.stage(name, size.runs, work);
+    };
+    const double softTime = stage(size.softStage, [&](int) { must(pipeline::regionStage(soft, kPicture)); });
+    const double asManyTime = stage("puff" + what + " of as many points as with a slice" + end,
+                                    [&](int) { must(pipeline::regionStage(asMany, kPicture)); });
+    const auto ratios = [&](const std::string& name, const std::function<void(int)>& work) {
+      const double time = stage(name, work);
+      report.value(name + ", ratio to a soft puff", time / softTime);
+      report.value(name + ", ratio to a soft puff of as many points", time / asManyTime);
+    };
+    ratios("puff" + what + " with a slice" + end, [&](int) { must(pipeline::regionStage(round, kPicture)); });
+    pipeline::KnownInterior interior;
+    must(pipeline::regionStage(round, kPicture, interior));
+    ratios("slice of a puff" + what + " dragged" + end,
+           [&](int) { must(pipeline::regionStage(round, kPicture, interior)); });
+    if (size.points == 4000) {
+      const geometry::Contours clean = must(geometry::cleanRegion(contours, 0, {500, 500}));
+      ratios("bones of a puff" + what, [&](int) { must(inflate::editedSkeleton(clean, {})); });
+    }
+  }
 }
 
 }  // namespace
