@@ -469,8 +469,9 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
     const bool last = attempt == kTries;
     const RowTable::Way way{last ? spacing : std::ldexp(spacing, -attempt), params.fineness, attempt > 0};
     Surface surface(fields, piece, curves, params, way, last, mesh);
-    if (surface.run() && (last || plain || !(changing || surface.rowsCross()) || !mesh::selfCrossing(mesh)))
-      return Done{};
+    const bool sound =
+        surface.run() && ((!last && (plain || !(changing || surface.rowsCross()))) || !mesh::selfCrossing(mesh));
+    if (sound) return Done{};
     mesh.positions.resize(points);
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);

@@ -65,9 +65,14 @@ BoneEdits anyEdits(Rng& rng, const geometry::Contours& region) {
   return edits;
 }
 
-/// The solid of a random region, slice and edits of bones, which is lawful and has the shells and handles of the
-/// formula.
-mesh::TriMesh randomPuff(std::uint64_t seed) {
+struct Puff {
+  geometry::Contours region;
+  InflateParams params;
+};
+Result<mesh::TriMesh> solidOf(const Puff& puff) { return inflateRegion(puff.region, {400, 400}, puff.params); }
+
+/// A random region, slice and edits of bones.
+Puff anyPuff(std::uint64_t seed) {
   const auto ready = readyProfiles();
   Rng rng(seed);
   const geometry::Contours region = anyRegion(rng);
@@ -87,15 +92,21 @@ mesh::TriMesh randomPuff(std::uint64_t seed) {
   }
   params.bones = anyEdits(rng, region);
   REQUIRE(isValid(params));
-  const auto curves = matchedCurves(params.profile.slices, params.sides);
+  return {region, params};
+}
+
+/// The solid of anyPuff, which is lawful and has the shells and handles of the formula.
+mesh::TriMesh randomPuff(std::uint64_t seed) {
+  const Puff puff = anyPuff(seed);
+  const auto curves = matchedCurves(puff.params.profile.slices, puff.params.sides);
   REQUIRE(curves.ok());
-  const Result<mesh::TriMesh> mesh = inflateRegion(region, {400, 400}, params);
+  const Result<mesh::TriMesh> mesh = solidOf(puff);
   REQUIRE_MESSAGE(mesh.ok(), (mesh.ok() ? std::string() : failureSentence(mesh.failure())));
   const mesh::MeshReport report = requireLawful(mesh.value());
   std::vector<ProfileCurve> first;
   for (const auto& curve : curves.value()) first.push_back(curve.front());
   Topology expected;
-  for (const geometry::Contours& piece : geometry::piecesOf(region)) {
+  for (const geometry::Contours& piece : geometry::piecesOf(puff.region)) {
     const Topology own = topologyOf(first, static_cast<int>(piece.size()) - 1);
     expected.shells += own.shells;
     expected.genus += own.genus;
@@ -119,4 +130,10 @@ TEST_CASE("rings in narrow places, and rows next to outlines that bend, do not g
     CAPTURE(seed);
     CHECK(!mesh::selfCrossing(randomPuff(seed)));
   }
+}
+
+TEST_CASE("a puff whose rows go through each other however fine they are is refused, and not made all the same") {
+  const Result<mesh::TriMesh> mesh = solidOf(anyPuff(2491));
+  REQUIRE(!mesh.ok());
+  CHECK(mesh.error() == Error::RegionTooFine);
 }
