@@ -198,7 +198,7 @@ Document onGrids(const Document& document) {
 void roundNumbers(Json& json) {
   if (json.is_number_float()) {
     const double value = json.get<double>();
-    if (std::trunc(value * 4096) != value * 4096) json = toJson(withDigits(value));
+    json = toJson(std::trunc(value * 4096) == value * 4096 ? value : withDigits(value));
   }
   if (json.is_structured()) {
     for (Json& element : json) roundNumbers(element);
