@@ -17,6 +17,9 @@ vec3 encode(vec3 linear) {
              step(0.0031308, linear));
 }
 
+// Within 1.4 steps of 255: a processor that draws takes long for powers.
+vec3 decode(vec3 srgb) { return srgb * (0.04728 + srgb * (0.54867 + srgb * 0.40405)); }
+
 // What a ball of the material shows towards the normal n of the eye (a matcap, by formula).
 vec3 ball(vec3 n, vec3 albedo) {
   float top = dot(n, normalize(vec3(-0.4, 0.75, 0.55)));
@@ -44,14 +47,15 @@ void main() {
   float soft = max(fwidth(modelHeight), 1e-5);
   vec3 plain = mix(second, colour, smoothstep(split - soft, split + soft, modelHeight));
   vec4 texel = texture(picture, at);
-  vec3 albedo = textured > 0.5 ? mix(plain, texel.rgb, texel.a) : plain;
+  vec3 albedo = textured > 0.5 ? mix(plain, decode(texel.rgb), texel.a) : plain;
 
   float up = 0.5 + 0.5 * n.y;
   vec3 ambient = mix(vec3(0.30, 0.28, 0.27), vec3(0.52, 0.54, 0.58), up);
   float wrapped = max(0.0, (dot(n, key) + 0.25) / 1.25);
   vec3 diffuse = vec3(0.62, 0.60, 0.57) * wrapped;
   float shine = pow(max(0.0, dot(n, normalize(key + v))), 42.0) * 0.16;
-  float rim = pow(1.0 - max(0.0, dot(n, v)), 3.0);
+  float away = 1.0 - max(0.0, dot(n, v));
+  float rim = away * away * away;
   vec3 light = albedo * (ambient + diffuse) + vec3(shine) + vec3(0.05) * rim;
   if (finish != 0) light = ball(n, plain);
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);

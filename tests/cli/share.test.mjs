@@ -52,14 +52,19 @@ test('what is cut off, altered, foreign or too new is said in one sentence', (t)
   assert.match(fails(3, 'open', 'no such file.glb'), /cannot be read/);
 });
 
-/** The text of a part of 40 ribs along this stroke of the picture, which opens again. */
-function tracedText(folder, name, stroke) {
+/** The pictures with a stroke; none where there is no data folder. */
+const realPictures = () => readdirSync(dataFolder).filter((name) => existsSync(join(dataFolder, name, 'case.json')));
+const skip = dataFolder ? false : 'there are no real pictures here';
+
+/** The text of a part of so many ribs along this stroke of the picture, which opens again, as d.json. */
+function tracedText(folder, name, stroke, ribs) {
   const at = (file) => join(dataFolder, name, file);
   const picture = ['image.png', 'image.jpg'].map(at).find(existsSync);
-  const how = ['--stroke', at('case.json'), '--stroke-name', stroke, '--recipe', folder.path('40.json')];
+  writeFileSync(folder.path('ribs.json'), JSON.stringify({ spine: { ribs } }));
+  const how = ['--stroke', at('case.json'), '--stroke-name', stroke, '--recipe', folder.path('ribs.json')];
   works('loft', picture, ...how, '--out', folder.path('part.spineloft'));
   const text = run('share', folder.path('part.spineloft')).stdout.trim();
-  works('open', text, '--report', folder.path('r.json'));
+  works('open', text, '--report', folder.path('r.json'), '--document', folder.path('d.json'));
   const { parts, lawful, dropped, repaired } = readJson(folder.path('r.json'));
   assert.deepEqual({ parts, lawful, dropped, repaired }, { parts: 1, lawful: 1, dropped: 0, repaired: 0 }, name);
   return text;
@@ -73,15 +78,16 @@ const kLongest = 170;
 
 test(
   'a part of 40 ribs that was traced in a real picture is a text of 150 characters, a few longer, however it was drawn',
-  { skip: dataFolder ? false : 'there are no real pictures here' },
+  {
+    skip,
+  },
   (t) => {
     const folder = workFolder(t);
-    writeFileSync(folder.path('40.json'), '{"spine": {"ribs": 40}}');
-    const names = readdirSync(dataFolder).filter((name) => existsSync(join(dataFolder, name, 'case.json')));
+    const names = realPictures();
     assert.ok(names.length > 0);
     const long = [];
     for (const [stroke, most] of Object.entries(kMeans)) {
-      const lengths = names.map((name) => [name, tracedText(folder, name, stroke).length]);
+      const lengths = names.map((name) => [name, tracedText(folder, name, stroke, 40).length]);
       const mean = lengths.reduce((sum, [, length]) => sum + length, 0) / lengths.length;
       t.diagnostic(`${stroke}: mean ${mean.toFixed(1)}; ${lengths.map((one) => one.join(' ')).join(', ')}`);
       for (const [name, length] of lengths) assert.ok(length <= kLongest, `${name}, ${stroke}: ${length} characters`);
@@ -89,5 +95,43 @@ test(
       long.push(...lengths.filter(([, length]) => length > 150).map(([name]) => `${name}, ${stroke}`));
     }
     assert.ok(long.length <= kMostLong, `longer than 150 characters: ${long.join('; ')}`);
+  },
+);
+
+/** One model of traced parts, each with its picture, which is paper here. */
+function together(folder, names, stroke, ribs) {
+  const model = { pictures: [], parts: [], lastPictureId: names.length, lastPartId: names.length };
+  for (const [i, name] of names.entries()) {
+    tracedText(folder, name, stroke, ribs);
+    const [picture] = readJson(folder.path('d.json')).pictures;
+    const [part] = readJson(folder.path('d.json')).parts;
+    model.pictures.push({ id: i + 1, name: `Picture ${i + 1}`, size: picture.size });
+    part.recipe.picture = i + 1;
+    model.parts.push({ ...part, id: i + 1, name: `Part ${i + 1}` });
+  }
+  return model;
+}
+
+test(
+  'seven traced parts of 40 ribs are a text of at most 1,000 characters, twelve of 60 ribs of at most 1,900',
+  {
+    skip,
+  },
+  (t) => {
+    const folder = workFolder(t);
+    for (const [count, ribs, most] of [
+      [7, 40, 1000],
+      [12, 60, 1900],
+    ]) {
+      const model = together(folder, realPictures().slice(0, count), 'sloppy', ribs);
+      writeFileSync(folder.path('model.json'), JSON.stringify(model));
+      works('loft', '--recipe', folder.path('model.json'), '--out', folder.path('model.spineloft'));
+      const text = shared(folder.path('model.spineloft'));
+      t.diagnostic(`${count} parts of ${ribs} ribs: ${text.length} characters`);
+      assert.ok(text.length <= most, `${text.length} characters`);
+      works('open', text, '--report', folder.path('r.json'));
+      const { parts, lawful, dropped } = readJson(folder.path('r.json'));
+      assert.deepEqual({ parts, lawful, dropped }, { parts: count, lawful: count, dropped: 0 });
+    }
   },
 );

@@ -174,7 +174,6 @@ const gl::SceneTexture* PartPictures::of(const document::Document& document, con
   slot->image = partPicture(shape, look, pixels ? &pixels->working : nullptr);
   slot->texture.key = key;
   slot->texture.image = &slot->image;
-  slot->texture.forPanels = true;
   slots_.push_back(std::move(slot));
   return slots_.back()->image.empty() ? nullptr : &slots_.back()->texture;
 }

@@ -22,13 +22,11 @@ struct Viewport {
 using TextureKey = CacheKey<struct TextureKeyTag>;  ///< of pixels on the GPU
 using MeshKey = CacheKey<struct MeshKeyTag>;        ///< of geometry on the GPU
 
-/// Pixels that may lie on the GPU under `key`, which is never none.
+/// Pixels that may lie on the GPU under `key`, which is never none. Texture ids of Dear ImGui, but for that of its
+/// font, are addresses of a SceneTexture that lives while the frame is drawn.
 struct SceneTexture {
   TextureKey key;
   const image::Image* image = nullptr;
-  /// Its numbers are what the screen shows, as Dear ImGui draws, whose texture ids of anything but its font are
-  /// addresses of a SceneTexture that lives while the frame is drawn.
-  bool forPanels = false;
   bool operator==(const SceneTexture&) const = default;
 };
 

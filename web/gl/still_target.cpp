@@ -6,51 +6,44 @@
 namespace spineloft::gl {
 namespace {
 
-constexpr GLsizei kSamples = 4;
-
-void storage(const Renderbuffer& buffer, GLenum format, int width, int height) {
+Renderbuffer makeBuffer(GLsizei samples, GLenum format, int width, int height) {
+  Renderbuffer buffer = Renderbuffer::make();
   glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, format, width, height);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  return buffer;
 }
 
-void attach(GLenum where, const Renderbuffer& buffer) {
+/// False when the framebuffer is not complete with it.
+bool attach(const Framebuffer& framebuffer, GLenum where, const Renderbuffer& buffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer.name());
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
-
-bool complete() { return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE; }
 
 }  // namespace
 
 bool StillTarget::make(int width, int height) {
-  if (width == width_ && height == height_) return static_cast<bool>(samples_);
+  if (width == width_ && height == height_) return static_cast<bool>(resolved_);
   width_ = width;
   height_ = height;
-  colour_ = Renderbuffer::make();
-  depth_ = Renderbuffer::make();
-  texture_ = Texture::make();
-  samples_ = Framebuffer::make();
+  pixels_ = makeBuffer(0, GL_RGBA8, width, height);
   resolved_ = Framebuffer::make();
-  storage(colour_, GL_RGBA8, width, height);
-  storage(depth_, GL_DEPTH_COMPONENT24, width, height);
-  glBindTexture(GL_TEXTURE_2D, texture_.name());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, width, height);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
-  attach(GL_COLOR_ATTACHMENT0, colour_);
-  attach(GL_DEPTH_ATTACHMENT, depth_);
-  const bool drawable = complete();
-  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
-  const bool readable = complete();
+  bool complete = attach(resolved_, GL_COLOR_ATTACHMENT0, pixels_);
+  if (count_ > 0) {
+    colour_ = makeBuffer(count_, GL_RGBA8, width, height);
+    depth_ = makeBuffer(count_, GL_DEPTH_COMPONENT24, width, height);
+    samples_ = Framebuffer::make();
+    complete = attach(samples_, GL_COLOR_ATTACHMENT0, colour_) && complete;
+    complete = attach(samples_, GL_DEPTH_ATTACHMENT, depth_) && complete;
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (!drawable || !readable) samples_ = Framebuffer();
-  return drawable && readable;
+  if (!complete) resolved_ = Framebuffer();
+  return complete;
 }
 
 bool StillTarget::begin(int width, int height) {
   if (!make(width, height)) return false;
-  glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
+  glBindFramebuffer(GL_FRAMEBUFFER, (count_ > 0 ? samples_ : resolved_).name());
   glViewport(0, 0, width, height);
   glScissor(0, 0, width, height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -58,9 +51,19 @@ bool StillTarget::begin(int width, int height) {
 }
 
 void StillTarget::end() {
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (count_ > 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void StillTarget::copy(int left, int bottom) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -84,7 +87,7 @@ void StillTarget::forget() {
   resolved_.forget();
   colour_.forget();
   depth_.forget();
-  texture_.forget();
+  pixels_.forget();
   width_ = height_ = 0;
 }
 

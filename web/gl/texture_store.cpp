@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kMaxTextureSide = 4096;
 
-Texture upload(const image::Image& image, bool forPanels) {
+Texture upload(const image::Image& image) {
   GLint limit = kMaxTextureSide;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   const int side = std::min<int>(limit, kMaxTextureSide);
@@ -21,8 +21,8 @@ Texture upload(const image::Image& image, bool forPanels) {
   Texture texture = Texture::make();
   glBindTexture(GL_TEXTURE_2D, texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexImage2D(GL_TEXTURE_2D, 0, forPanels ? GL_RGBA8 : GL_SRGB8_ALPHA8, pixels->width, pixels->height, 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, pixels->pixels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, pixels->width, pixels->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               pixels->pixels.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -40,7 +40,7 @@ GLuint TextureStore::get(const SceneTexture& texture) {
     return at->texture.name();
   }
   if (texture.image == nullptr || texture.image->empty()) return 0;
-  slots_.push_back({texture.key, upload(*texture.image, texture.forPanels), true});
+  slots_.push_back({texture.key, upload(*texture.image), true});
   return slots_.back().texture.name();
 }
 

@@ -1,4 +1,6 @@
-// Pictures on the GPU: sRGB, mipmapped, at most 4096 pixels a side, one upload a key.
+// Pictures on the GPU: mipmapped, at most 4096 pixels a side, one upload a key. They are sampled and made smaller by
+// their sRGB values, as image::shrink does: where a processor draws, mipmaps of an sRGB texture take three times as
+// long.
 #pragma once
 
 #include <vector>

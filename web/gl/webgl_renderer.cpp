@@ -24,16 +24,16 @@
 namespace spineloft::gl {
 namespace {
 
+constexpr int kSamples = 4;  ///< of a pixel whose edges are smooth
+
 // As in the style sheet.
 constexpr std::array kPaper = {0.969f, 0.961f, 0.941f}, kDarkPaper = {0.090f, 0.098f, 0.118f};
 
 struct Programs {
-  Program background, picture, mesh, floor, copy;
-  bool complete() const {
-    return isLinked(background) && isLinked(picture) && isLinked(mesh) && isLinked(floor) && isLinked(copy);
-  }
+  Program background, picture, mesh, floor;
+  bool complete() const { return isLinked(background) && isLinked(picture) && isLinked(mesh) && isLinked(floor); }
   void forget() {
-    for (Program* p : {&background, &picture, &mesh, &floor, &copy}) p->forget();
+    for (Program* p : {&background, &picture, &mesh, &floor}) p->forget();
   }
 };
 
@@ -43,7 +43,6 @@ Programs makePrograms() {
   out.picture = makeProgram(shaders::kQuadVert, shaders::kPictureFrag, {"corner"});
   out.mesh = makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"});
   out.floor = makeProgram(shaders::kFloorVert, shaders::kFloorFrag, {"corner"});
-  out.copy = makeProgram(shaders::kQuadVert, shaders::kCopyFrag, {"corner"});
   return out;
 }
 
@@ -105,7 +104,7 @@ class WebGlRenderer final : public Renderer {
     glDepthMask(GL_TRUE);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
-    drawPictureView(scene);
+    showPictureView(scene);
     drawThumbnails(scene);
     drawSolidView(scene);
     glDisable(GL_SCISSOR_TEST);
@@ -150,6 +149,8 @@ class WebGlRenderer final : public Renderer {
     shadow_.forget();
     layer_.forget();
     still_.forget();
+    stillPicture_.forget();
+    pictureShown_ = {};
     snapshot_.forget();
     quadArray_.forget();
     quad_.forget();
@@ -208,6 +209,39 @@ class WebGlRenderer final : public Renderer {
                 static_cast<float>(-quad.height / within.height * 2));
   }
 
+  /// The picture, with what shows it where it is.
+  struct PictureShown {
+    SceneTexture picture;
+    Viewport at, within;
+    double dpr = 0;
+    bool operator==(const PictureShown&) const = default;
+  };
+
+  /// A picture that stays where it is is drawn once more, and from then on copied.
+  void showPictureView(const Scene& scene) {
+    if (smoothAnyway_ || !scene.picture || scene.pictureView.width < 1 || scene.pictureView.height < 1) {
+      drawPictureView(scene);
+      return;
+    }
+    const PictureShown shown{*scene.picture, scene.pictureAt, scene.pictureView, scene.dpr};
+    const Pixels view = pixelsOf(scene, scene.pictureView);
+    if (shown != pictureShown_) {
+      pictureShown_ = shown;
+      pictureKept_ = false;
+    } else if (!pictureKept_ && stillPicture_.begin(view.width, view.height)) {
+      drawPicture(*scene.picture, scene.pictureAt, scene.pictureView);
+      stillPicture_.end();
+      pictureKept_ = true;
+    }
+    if (pictureKept_) {
+      textures_.get(*scene.picture);  // stays on the GPU
+      enter(scene, scene.pictureView);
+      stillPicture_.copy(view.left, view.bottom);
+    } else {
+      drawPictureView(scene);
+    }
+  }
+
   void drawPictureView(const Scene& scene) {
     if (!scene.picture || scene.pictureView.width < 1 || scene.pictureView.height < 1) return;
     enter(scene, scene.pictureView);
@@ -255,10 +289,10 @@ class WebGlRenderer final : public Renderer {
   /// A view that nothing moves in is drawn once, smoothly, and from then on copied, whatever moves beside it.
   void drawSolidView(const Scene& scene) {
     if (scene.solidView.width < 1 || scene.solidView.height < 1) return;
-    const auto px = [&](double v) { return static_cast<int>(std::lround(v * scene.dpr)); };
+    const Pixels view = pixelsOf(scene, scene.solidView);
     if (still_ && sameSolids(scene, stillScene_)) {
       keepUploads(scene);
-    } else if (smoothAnyway_ || !scene.still || !still_.begin(px(scene.solidView.width), px(scene.solidView.height))) {
+    } else if (smoothAnyway_ || !scene.still || !still_.begin(view.width, view.height)) {
       enter(scene, scene.solidView);
       drawMovingView(scene);
       return;
@@ -268,14 +302,7 @@ class WebGlRenderer final : public Renderer {
       stillScene_ = scene;
     }
     enter(scene, scene.solidView);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glUseProgram(programs_.copy.name());
-    placeQuad(programs_.copy, scene.solidView, scene.solidView);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, still_.texture());
-    glUniform1i(uniform(programs_.copy, "picture"), 0);
-    drawQuad();
+    still_.copy(view.left, view.bottom);
   }
 
   void drawMovingView(const Scene& scene) {
@@ -378,8 +405,10 @@ class WebGlRenderer final : public Renderer {
   FloorShadow shadow_;
   KeptLayer layer_;
   bool layered_ = false;  ///< this frame takes from the layer what stays as it is
-  StillTarget still_, snapshot_;
+  StillTarget still_{kSamples}, snapshot_{kSamples}, stillPicture_{0};
   Scene stillScene_;           ///< whose solid view `still_` shows; what it points to may be gone
+  PictureShown pictureShown_;  ///< in the last frame
+  bool pictureKept_ = false;   ///< `stillPicture_` has it
   bool smoothAnyway_ = false;  ///< the canvas itself is multisampled
   VertexArray quadArray_;
   Buffer quad_;

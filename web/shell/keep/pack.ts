@@ -18,15 +18,25 @@ export interface PackedPhoto extends Omit<RawPhoto, 'rgba'> {
   bytes: Uint8Array;
 }
 
+/** A browser packs what it is given in one go, on the page's own thread: about 10 ms of this. */
+const kPieceBytes = 1 << 20;
+
+/** Piece by piece, and frames are drawn between. */
+async function feed(bytes: Uint8Array, writer: WritableStreamDefaultWriter<BufferSource>): Promise<void> {
+  for (let at = 0; at < bytes.length; at += kPieceBytes) {
+    await writer.write(bytes.subarray(at, at + kPieceBytes) as BufferSource);
+    await new Promise((resolve) => setTimeout(resolve, 0));
+  }
+  await writer.close();
+}
+
 async function through(
   bytes: Uint8Array,
   stream: CompressionStream | DecompressionStream,
   most: number,
 ): Promise<Uint8Array> {
-  const writer = stream.writable.getWriter();
   // What goes wrong with writing is told to the reader.
-  void writer.write(bytes as BufferSource).catch(() => undefined);
-  void writer.close().catch(() => undefined);
+  void feed(bytes, stream.writable.getWriter()).catch(() => undefined);
   const reader = stream.readable.getReader();
   const chunks: Uint8Array[] = [];
   let length = 0;
