@@ -252,15 +252,22 @@ Status migrate(Json& json) {
   return Done{};
 }
 
-/// The list under `key`, taken out of the document.
-Json takeList(Json& json, const char* key, ReadNotes& notes) {
+/// The objects in the list under `key`, at most so many, taken out of the document.
+Json::array_t takeList(Json& json, const char* key, std::size_t most, ReadNotes& notes) {
   const auto at = json.find(key);
-  if (at == json.end()) return Json::array();
-  Json list = std::move(*at);
+  if (at == json.end()) return {};
+  Json value = std::move(*at);
   json.erase(at);
-  if (list.is_array()) return list;
-  ++notes.repaired;
-  return Json::array();
+  if (!value.is_array()) {
+    ++notes.repaired;
+    return {};
+  }
+  auto list = std::move(value.get_ref<Json::array_t&>());
+  const std::size_t all = list.size();
+  std::erase_if(list, [](const Json& element) { return !element.is_object(); });
+  if (list.size() > most) list.resize(most);
+  notes.dropped += all - list.size();
+  return list;
 }
 
 }  // namespace
@@ -429,10 +436,10 @@ void makeRoomForIds(Document& document, ReadNotes& notes) {
 Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto missing) {
   if (!json.is_object()) return {Error::ProjectInvalid, "no document"};
   if (Status version = migrate(json); !version) return version.failure();
-  Json pictures = takeList(json, "pictures", reading.notes);
-  Json drawings = takeList(json, "drawings", reading.notes);
-  Json parts = takeList(json, "parts", reading.notes);
-  Json steps = takeList(json, "steps", reading.notes);
+  auto pictures = takeList(json, "pictures", document::kMostPictures, reading.notes);
+  auto drawings = takeList(json, "drawings", document::kMostDrawings, reading.notes);
+  auto parts = takeList(json, "parts", document::kMostParts, reading.notes);
+  auto steps = takeList(json, "steps", document::kMostSteps, reading.notes);
   Document document;
   readFrame(std::move(json), document, reading);
   for (Json& picture : pictures) {
@@ -440,7 +447,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     if (!entry && entry.error() == Error::NoSuchPicture && missing == MissingPhoto::Fail) {
       return entry.failure();
     }
-    if (entry && document.pictures.size() < document::kMostPictures) {
+    if (entry) {
       document.pictures.push_back(std::move(entry).value());
     } else {
       ++reading.notes.dropped;
@@ -450,7 +457,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
   mendViews(document, reading.notes);
   for (Json& element : drawings) {
     Result<document::Drawing> drawing = drawingFrom(std::move(element), document, reading);
-    if (drawing && document.drawings.size() < document::kMostDrawings) {
+    if (drawing) {
       document.drawings.push_back(std::move(drawing).value());
     } else {
       ++reading.notes.dropped;
@@ -458,10 +465,6 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
   }
   mendIds(document.drawings, document.lastDrawingId, reading.notes);
   for (Json& element : parts) {
-    if (document.parts.size() >= document::kMostParts) {
-      ++reading.notes.dropped;
-      continue;
-    }
     Result<Part> part = partFrom(std::move(element), document, reading);
     if (part) {
       document.parts.push_back(std::move(part).value());
@@ -476,7 +479,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
   if (reading.notes != before) settleExtra(document, frameJson(document), reading);
   for (Json& element : steps) {
     Result<document::Step> step = stepFrom(std::move(element), reading);
-    if (step && document.steps.size() < document::kMostSteps) {
+    if (step) {
       document.steps.push_back(std::move(step).value());
     } else {
       ++reading.notes.dropped;
