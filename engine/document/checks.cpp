@@ -91,7 +91,7 @@ Status checkRegion(const Document& document, const Region& region) {
 
 Status checkStack(const Document& document, const StackRecipe& recipe) {
   if (findPicture(document, recipe.picture) == nullptr) return Error::NoSuchPicture;
-  return stack::checkPlanes(recipe.planes, recipe.rail);
+  return stack::checkPlanes(recipe.planes, recipe.rail, recipe.stack.patterns);
 }
 
 namespace {

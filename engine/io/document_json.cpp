@@ -145,6 +145,7 @@ void mendRecipe(document::StackRecipe& recipe, ReadNotes& notes) {
     weed(plane.curves, stack::kMostCurves, [](const stack::Curve& curve) { return isValid(curve); }, notes);
   }
   weed(recipe.planes, stack::kMostPlanes, [](const stack::Plane& plane) { return isValid(plane); }, notes);
+  mend(checkPatterns(recipe.planes, recipe.stack.patterns), recipe.stack.patterns, {}, notes);
 }
 
 void mendRecipe(document::ShapeRecipe& recipe, ReadNotes& notes) {

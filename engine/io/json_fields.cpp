@@ -62,6 +62,11 @@ std::string_view keyOf(sections::BlendKind value) {
   const auto at = std::ranges::find(names, value, &sections::BlendName::kind);
   return at == names.end() ? std::string_view() : at->key;
 }
+std::string_view keyOf(stack::CurveUse value) {
+  const auto names = stack::curveUseNames();
+  const auto at = std::ranges::find(names, value, &stack::CurveUseName::use);
+  return at == names.end() ? std::string_view() : at->key;
+}
 std::string_view keyOf(ribs::Side value) { return value == ribs::Side::Left ? "left" : "right"; }
 std::string_view keyOf(surface::Paint value) { return surface::finishOf(value).key; }
 
@@ -126,6 +131,7 @@ std::string_view keyOf(descriptive::PieceKind value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }
+bool fromKey(std::string_view key, stack::CurveUse& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, descriptive::PieceKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, inflate::Across& value) { return fromKeys(key, value); }

@@ -210,9 +210,13 @@ void members(V& v, T& value) {
 }
 template <class V, Is<stack::Curve> T>
 void members(V& v, T& value) {
-  auto& [through, corners] = value;
+  auto& [through, corners, open, as, width, base] = value;
   v("through", through);
   v("corners", corners);
+  v("open", open);
+  v("as", as);
+  v("width", width);
+  v("base", base);
 }
 template <class V, Is<stack::Plane> T>
 void members(V& v, T& value) {
@@ -229,13 +233,31 @@ void members(V& v, T& value) {
   v("points", points);
   v("closed", closed);
 }
+template <class V, Is<stack::Pattern> T>
+void members(V& v, T& value) {
+  auto& [first, last, times, spacing] = value;
+  v("first", first);
+  v("last", last);
+  v("times", times);
+  v("spacing", spacing);
+}
+template <class V, Is<stack::Rough> T>
+void members(V& v, T& value) {
+  auto& [amount, size, seed, keepDrawn] = value;
+  v("amount", amount);
+  v("size", size);
+  v("seed", seed);
+  v("keepDrawn", keepDrawn);
+}
 template <class V, Is<stack::StackParams> T>
 void members(V& v, T& value) {
-  auto& [startCap, endCap, sides, capRings] = value;
+  auto& [startCap, endCap, sides, capRings, patterns, rough] = value;
   v("startCap", startCap);
   v("endCap", endCap);
   v("sides", sides);
   v("capRings", capRings);
+  v("patterns", patterns);
+  v("rough", rough);
 }
 template <class V, Is<document::StackRecipe> T>
 void members(V& v, T& value) {

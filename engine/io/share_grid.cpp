@@ -89,6 +89,7 @@ void keep(document::StackRecipe& recipe, const Grid& grid) {
     if (plane.origin) rounded(*plane.origin);
     for (stack::Curve& curve : plane.curves) {
       for (SectionPoint& p : curve.through) p = {grid(p.x), grid(p.y)};
+      curve.base = grid(curve.base);
     }
   }
   for (ModelPoint& p : recipe.rail.points) rounded(p);

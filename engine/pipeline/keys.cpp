@@ -63,9 +63,10 @@ void mix(Hasher& hasher, const loft::SectionKey& key) {
 }
 void mix(Hasher& hasher, const ModelPoint& p) { mixAll(hasher, p.x, p.y, p.z); }
 void mix(Hasher& hasher, const stack::Curve& curve) {
-  const auto& [through, corners] = curve;
+  const auto& [through, corners, open, as, width, base] = curve;
   const auto& [all, at] = corners;
   mix(hasher, through);
+  mixAll(hasher, open, as, width, base);
   mixAll(hasher, all, at.size());
   for (const std::uint32_t i : at) hasher.number(i);
 }
@@ -269,14 +270,16 @@ ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEn
 
 ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [picture, planes, rail, stack] = recipe;
-  const auto& [startCap, endCap, sides, capRings] = stack;
+  const auto& [startCap, endCap, sides, capRings, patterns, rough] = stack;
+  const auto& [amount, size, seed, keepDrawn] = rough;
   Hasher hasher;
   hasher.text("stack").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
   mix(hasher, coversOf(entry));
   hasher.number(planes.size());
   for (const stack::Plane& plane : planes) mix(hasher, plane);
   mix(hasher, rail);
-  mixAll(hasher, startCap, endCap, sides, capRings);
+  mixAll(hasher, startCap, endCap, sides, capRings, amount, size, seed, keepDrawn, patterns.size());
+  for (const auto& [first, last, times, spacing] : patterns) mixAll(hasher, first, last, times, spacing);
   return ShapeKey{hasher.value()};
 }
 

@@ -11,7 +11,7 @@ constexpr std::array kBlendNames = {
     BlendName{BlendKind::Linear, "linear", "Steady"},       BlendName{BlendKind::Ease, "ease", "Soft"},
     BlendName{BlendKind::Square, "square", "Late"},         BlendName{BlendKind::Root, "root", "Early"},
     BlendName{BlendKind::Overshoot, "overshoot", "Bouncy"}, BlendName{BlendKind::Custom, "custom", "Your own"},
-    BlendName{BlendKind::Flow, "flow", "Flowing"},
+    BlendName{BlendKind::Flow, "flow", "Flowing"},          BlendName{BlendKind::Hold, "hold", "Stepped"},
 };
 static_assert(kBlendNames.size() == static_cast<std::size_t>(BlendKind::kCount));
 
@@ -52,6 +52,8 @@ double blendAt(const Blend& blend, double t) {
     }
     case BlendKind::Custom:
       return geometry::valueAt(blend.custom, t, t);
+    case BlendKind::Hold:
+      return std::max(0.0, (t - kHeld) / (1 - kHeld));
   }
   return t;
 }

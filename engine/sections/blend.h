@@ -13,8 +13,10 @@ namespace spineloft::sections {
 /// How one section becomes the next: f(t) of the share t of the way, f(0) = 0, f(1) = 1
 /// (cross-sections-hughes 4.2). Flow: every point goes on a cubic through all sections, whose slope at each is that of
 /// the parabola through it and its neighbours, so that nothing is left of the places where sections stand; f(t) = t.
+/// Hold: it stays until kHeld and changes on the rest of the way, evenly.
 /// Values are saved in files: only ever append.
-enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, Flow, kCount };
+enum class BlendKind : std::uint8_t { Linear, Ease, Square, Root, Overshoot, Custom, Flow, Hold, kCount };
+inline constexpr double kHeld = 0.999;  ///< share of the way
 struct BlendName {
   BlendKind kind;
   std::string_view key, label;

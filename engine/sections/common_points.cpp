@@ -268,7 +268,8 @@ std::vector<double> placesOn(const Contour& a, const Contour& b) {
   return out;
 }
 
-std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points, Matching matching) {
+std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points, Matching matching,
+                                                      std::size_t mostKnots) {
   const bool leastTurn = matching == Matching::LeastTurn;
   const std::vector<Parted> parted = leastTurn ? partWithLeastTurn(row) : part(row);
   // All coordinates that matter: those of the knots, and in between evenly by the mean length.
@@ -280,16 +281,16 @@ std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> r
       if (one.knot[i]) knots.push_back(table.back());
     }
   }
-  const auto tidy = [](std::vector<double>& values) {
-    constexpr double kSame = 1e-6;
+  constexpr double kSame = 1e-6;
+  const auto tidy = [](std::vector<double>& values, double same) {
     std::ranges::sort(values);
-    const auto [first, last] = std::ranges::unique(values, [](double a, double b) { return b - a < kSame; });
+    const auto [first, last] = std::ranges::unique(values, [&](double a, double b) { return b - a < same; });
     values.erase(first, last);
-    if (values.size() > 1 && values.back() - values.front() > 1 - kSame) values.pop_back();
+    if (values.size() > 1 && values.back() - values.front() > 1 - same) values.pop_back();
   };
   if (knots.empty()) knots.push_back(leastTurn ? wrapped(firstPlace(parted.front())) : table.front());
-  tidy(knots);
-  tidy(table);
+  tidy(knots, std::max(kSame, 1 / static_cast<double>(mostKnots)));
+  tidy(table, kSame);
   table.insert(table.end(), knots.begin(), knots.end());
   std::ranges::sort(table);
   table.push_back(table.front() + 1);

@@ -24,8 +24,10 @@ enum class Matching : std::uint8_t {
 
 /// Contours that belong together, one a key, on common points: as many on each, corners of all kept.
 /// Counter-clockwise. Between star-shaped ones straight lines between points are free of crossings.
+/// `mostKnots` > 0: of corners, of whichever contour, that are closer than 1/mostKnots of the way round one is kept.
 std::vector<std::vector<SectionPoint>> onCommonPoints(std::span<const Contour> row, int points,
-                                                      Matching matching = Matching::Direction);
+                                                      Matching matching = Matching::Direction,
+                                                      std::size_t mostKnots = 1000000);
 
 /// Shares of the length of `a` to which the points of `b` belong by Matching::LeastTurn, growing, the last less than 1
 /// after the first. Both as that wants them.

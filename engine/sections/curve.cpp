@@ -14,13 +14,17 @@ namespace {
 
 using Cubic = std::array<SectionPoint, 4>;
 
-Cubic cubicOf(const DrawnCurve& curve, std::size_t i) {
+Cubic cubicOf(const DrawnCurve& curve, std::size_t i, bool open) {
   const std::size_t n = curve.points.size();
   const DrawnPoint& p = curve.points[i];
   const DrawnPoint& q = curve.points[(i + 1) % n];
   const SectionPoint chord = q.at - p.at;
   const auto tangentAt = [&](std::size_t k) {
-    return geometry::circleTangent(curve.points[(k + n - 1) % n].at, curve.points[k].at, curve.points[(k + 1) % n].at);
+    if (open && n == 2) return normalized(chord);
+    // The circle through the first three points goes from the third to the first and on to the second.
+    const std::size_t before = open && k == 0 ? 2 : (k + n - 1) % n;
+    const std::size_t after = open && k + 1 == n ? n - 3 : (k + 1) % n;
+    return geometry::circleTangent(curve.points[before].at, curve.points[k].at, curve.points[after].at);
   };
   const SectionPoint first = p.corner ? normalized(chord) : tangentAt(i);
   const SectionPoint second = q.corner ? normalized(chord) : tangentAt((i + 1) % n);
@@ -40,6 +44,13 @@ void flatten(const Cubic& c, int depth, std::vector<SectionPoint>& out) {
   const SectionPoint ab = middle(a, b), bd = middle(b, d), at = middle(ab, bd);
   flatten({c[0], a, ab, at}, depth - 1, out);
   flatten({at, bd, d, c[3]}, depth - 1, out);
+}
+
+std::vector<SectionPoint> flat(const Cubic& cubic) {
+  constexpr int kDeepest = 6;
+  std::vector<SectionPoint> out{cubic[0]};
+  flatten(cubic, kDeepest, out);
+  return out;
 }
 
 /// Arc length along a closed polygon, for looking some way ahead and back.
@@ -121,11 +132,9 @@ std::size_t stepOf(const Chain& chain, std::size_t i) {
 
 }  // namespace
 
-std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i) {
-  constexpr int kDeepest = 6;
-  std::vector<SectionPoint> out{curve.points[i].at};
-  flatten(cubicOf(curve, i), kDeepest, out);
-  return out;
+std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i) { return flat(cubicOf(curve, i, false)); }
+std::vector<SectionPoint> openStretchOf(const DrawnCurve& curve, std::size_t i) {
+  return flat(cubicOf(curve, i, true));
 }
 
 std::vector<SectionPoint> outlineOf(const DrawnCurve& curve) {

@@ -59,6 +59,10 @@ std::vector<SectionPoint> outlineOf(const DrawnCurve& curve);
 /// The outline from point `i` of a curve to the next one, both included. i < number of points ≥ 3.
 std::vector<SectionPoint> stretchOf(const DrawnCurve& curve, std::size_t i);
 
+/// The same of a curve that ends at its last point; at an end it leaves along the circle through that point and the two
+/// nearest, of two points straight. i + 1 < number of points ≥ 2.
+std::vector<SectionPoint> openStretchOf(const DrawnCurve& curve, std::size_t i);
+
 /// A freehand line as closed curves: ends that run past each other are cut off where they cross,
 /// others are joined; tremor is smoothed, corners stay. With a symmetry the longest stretch between two mirrors (or
 /// of one turn) is drawn and the rest are its images, as one curve

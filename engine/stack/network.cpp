@@ -70,6 +70,12 @@ double overlapOf(const Points& a, const Points& b) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  SectionPoint least = large.front(), most = least;
+  for (const SectionPoint p : large) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+  }
+  if (least.x > high.x || least.y > high.y || most.x < low.x || most.y < low.y) return 0;
   constexpr int kGrid = 16;
   int inside = 0, both = 0;
   for (int i = 0; i < kGrid; ++i) {
@@ -197,7 +203,10 @@ void makeRings(const Sheets& sheets, int sides, Network& network) {
         row.push_back(normalised(sheets, curves[at], angle));
         if (const Link* link = network.above(curves[at].outer); link != nullptr) angle += link->carried;
       }
-      const auto rings = sections::onCommonPoints(row, sides, sections::Matching::LeastTurn);
+      // Copies of different curves have their corners at ever new places.
+      constexpr std::size_t kMostTogether = 100000;  // points of all
+      const std::size_t mostKnots = row.size() > kMostPlanes ? kMostTogether / row.size() : kMostTogether * 10;
+      const auto rings = sections::onCommonPoints(row, sides, sections::Matching::LeastTurn, mostKnots);
       for (std::size_t k = 0; k < chain.size(); ++k) {
         Drawn& curve = curves[chain[k]];
         const SectionPoint centre = geometry::centroid(pointsOf(sheets, curve));
@@ -251,8 +260,13 @@ Network linkSheets(const Sheets& sheets, int sides) {
     network.links.push_back(link);
   }
   makeRings(sheets, sides, network);
+  const auto isGround = [&](const Drawn& curve) { return sheets.all[curve.sheet].ground[curve.piece]; };
   for (Link& link : network.links) {
     const Drawn &from = curves[link.from], &to = curves[link.to];
+    if (isGround(from) && isGround(to)) {  // what is below stays below
+      link.turn = link.carried;
+      continue;
+    }
     double along = 0, about = 0;
     for (std::size_t k = 0; k < from.ring.size(); ++k) {
       const SectionPoint p = from.ring[k] - from.centre, q = rotated(to.ring[k] - to.centre, link.carried);

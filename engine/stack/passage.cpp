@@ -187,7 +187,8 @@ Passage::Section Passage::section(double t) const {
     const ModelPoint axis = cross(a_.normal, b_.normal);
     const double angle = std::atan2(norm(axis), dot(a_.normal, b_.normal)) * t;
     normal = a_.normal * std::cos(angle) + cross(normalized(axis), a_.normal) * std::sin(angle);
-    const bool straight = sheets_.alongRail || blend_.kind == sections::BlendKind::Linear;
+    const bool straight =
+        sheets_.alongRail || blend_.kind == sections::BlendKind::Linear || blend_.kind == sections::BlendKind::Hold;
     centre = straight ? lerp(a_.centre, b_.centre, sheets_.alongRail ? g : t)
                       : geometry::hermite(a_.centre, b_.centre, a_.normal * length_, b_.normal * length_, t);
   }
@@ -210,8 +211,20 @@ Passage::Section Passage::section(double t) const {
   return s;
 }
 
-int Passage::steps(int most) const {
+std::vector<double> Passage::rows(int most, int least) const {
+  const bool holds = blend_.kind == sections::BlendKind::Hold;
+  const double end = holds ? sections::kHeld : 1;
+  const int steps = std::clamp(std::max(stepsTo(end), least), 1, most);
+  std::vector<double> out;
+  for (int i = 1; i <= steps; ++i) out.push_back(end * i / steps);
+  if (holds) out.push_back(1);
+  return out;
+}
+
+/// How many even steps it takes from the start to `end`.
+int Passage::stepsTo(double end) const {
   constexpr int kProbes = 8;
+  constexpr double kMost = 1e5;
   constexpr double kTolerance = 2e-4;  // of the size
   constexpr double kAngle = 2 * std::numbers::pi / 128;
   double size = 0, off = 0;
@@ -220,7 +233,7 @@ int Passage::steps(int most) const {
   std::vector<std::vector<ModelPoint>> rows;
   for (int i = 0; i <= kProbes; ++i) {
     constexpr double kNearEnd = 1e-6;
-    const Section s = section(std::clamp(static_cast<double>(i) / kProbes, kNearEnd, 1 - kNearEnd));
+    const Section s = section(end * std::clamp(static_cast<double>(i) / kProbes, kNearEnd, 1 - kNearEnd));
     std::vector<ModelPoint>& row = rows.emplace_back();
     for (const SectionPoint p : s.figure) row.push_back(s.at(p));
   }
@@ -240,7 +253,7 @@ int Passage::steps(int most) const {
     }
   }
   const double wanted = std::max(std::sqrt(off / (kTolerance * size)), turned / kAngle);
-  return static_cast<int>(std::clamp(std::ceil(wanted - 1e-6), 1.0, static_cast<double>(most)));
+  return static_cast<int>(std::clamp(std::ceil(wanted - 1e-6), 1.0, kMost));
 }
 
 }  // namespace spineloft::stack

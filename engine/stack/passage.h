@@ -19,8 +19,9 @@ class Passage {
   const std::vector<std::size_t>& sizes() const { return sizes_; }  ///< points of each curve
   std::size_t count() const { return start_.size(); }               ///< of all
   double length() const { return length_; }
-  /// How many steps it takes until straight ways between them are as good; 1…most.
-  int steps(int most) const;
+  /// Where the rows are between which straight ways are as good: shares t of the way, rising, in (0, 1], the last 1;
+  /// at most `most` and two more. `least`: at least so many where the way is even.
+  std::vector<double> rows(int most, int least) const;
   /// A section at t, 0 < t < 1.
   struct Section {
     std::vector<SectionPoint> figure;  ///< count() points about the outer curve's centre
@@ -31,6 +32,7 @@ class Passage {
   Section section(double t) const;
 
  private:
+  int stepsTo(double end) const;
   void figure(double t, double g, std::vector<SectionPoint>& out) const;
   bool isSound(const std::vector<SectionPoint>& figure) const;
   double soundBlend(double t, double g, std::vector<SectionPoint>& out) const;

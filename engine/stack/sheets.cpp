@@ -9,14 +9,12 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
-#include "engine/sections/drawing.h"
+#include "engine/stack/outline.h"
 
 namespace spineloft::stack {
 namespace {
 
 using Points = std::vector<SectionPoint>;
-
-std::string nameOf(std::size_t sheet) { return "sheet " + std::to_string(sheet + 1); }
 
 struct Box2 {
   SectionPoint low{kFarOut, kFarOut}, high{-kFarOut, -kFarOut};
@@ -33,31 +31,6 @@ void reverse(sections::Contour& contour) {
   std::ranges::reverse(contour.points);
   std::reverse(contour.knot.begin(), contour.knot.end());
 }
-
-}  // namespace
-
-// It is drawn larger, for outlines of sections are coarser than solids of true size want them.
-sections::Contour polygonOf(const Curve& curve) {
-  constexpr double kEnlarged = 32;  // section units: the outline is within a ten-thousandth of half the size
-  Box2 box;
-  box.add(curve.through);
-  const double scale = 2 * kEnlarged / box.size();
-  const SectionPoint middle = (box.low + box.high) / 2;
-  sections::DrawnCurve drawn;
-  for (const SectionPoint p : curve.through) drawn.points.push_back({(p - middle) * scale, curve.corners.all});
-  for (const std::uint32_t i : curve.corners.at) drawn.points[i].corner = true;
-  sections::Contour contour;
-  for (std::size_t i = 0; i < drawn.points.size(); ++i) {
-    const Points stretch = sections::stretchOf(drawn, i);
-    for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
-      contour.points.push_back(k == 0 ? curve.through[i] : middle + stretch[k] / scale);
-      contour.knot.push_back(k == 0 && drawn.points[i].corner);
-    }
-  }
-  return contour;
-}
-
-namespace {
 
 /// With fewer points where there are very many; corners stay.
 void simplify(sections::Contour& contour, double size) {
@@ -87,53 +60,75 @@ void simplify(sections::Contour& contour, double size) {
 }
 
 void dropRepeats(Curve& curve, double reach) {
-  Curve out;
-  out.corners.all = curve.corners.all;
+  Curve out = curve;
+  out.through.clear();
+  out.corners.at.clear();
   const std::size_t n = curve.through.size();
   std::vector<bool> corner(n, false);
   for (const std::uint32_t i : curve.corners.at) corner[i] = true;
   for (std::size_t i = 0; i < n; ++i) {
     const SectionPoint p = curve.through[i];
     if (!out.through.empty() && distance(out.through.back(), p) <= reach) continue;
-    if (i + 1 == n && !out.through.empty() && distance(out.through.front(), p) <= reach) continue;
+    if (!curve.open && i + 1 == n && !out.through.empty() && distance(out.through.front(), p) <= reach) continue;
     if (corner[i]) out.corners.at.push_back(static_cast<std::uint32_t>(out.through.size()));
     out.through.push_back(p);
   }
   curve = std::move(out);
 }
 
-/// The curves of a plane as pieces, or which of them cannot be used.
-Result<std::vector<sections::SectionPiece>> readCurves(const Plane& plane, std::size_t number) {
+/// The outline of a curve counter-clockwise, or why it cannot be used, to follow its name.
+Result<sections::Contour> readCurve(Curve curve) {
   constexpr double kNothing = 1e-6, kSliver = 1e-5;  // px; share of the size squared
+  const auto refused = [](std::string why) { return Failure{Error::StackInvalid, std::move(why)}; };
+  if (std::string lack = lackOf(curve); !lack.empty()) return refused(std::move(lack));
+  Box2 box;
+  box.add(curve.through);
+  if (!(box.size() > kNothing)) return refused("has no size: draw it anew");
+  dropRepeats(curve, box.size() * kNothing);
+  if (curve.through.size() < (curve.open ? 2u : 3u)) return refused("needs three different points");
+  sections::Contour contour = polygonOf(curve);
+  if (curve.open) {
+    box = {};
+    box.add(contour.points);
+  }
+  if (curve.as == CurveUse::Ground && box.low.y < curve.base) {
+    return refused("goes below its base: lower the base, or draw higher");
+  }
+  simplify(contour, box.size());
+  const std::span<const SectionPoint> points(contour.points);
+  const double area = geometry::signedArea(points);
+  const bool isWide = std::min(box.high.x - box.low.x, box.high.y - box.low.y) > kSliver * box.size();
+  if (isWide && !geometry::isSimple(points)) {
+    if (curve.as == CurveUse::Ribbon) return refused("bends tighter than its width: make the ribbon narrower");
+    if (curve.as == CurveUse::Ground) return refused("crosses itself or the way down to its base: draw it anew");
+    return refused("crosses itself: draw it anew");
+  }
+  if (!(std::abs(area) > kSliver * box.size() * box.size())) {
+    return refused(curve.as == CurveUse::Ribbon ? "is too thin: make the ribbon wider"
+                                                : "encloses nothing: draw it wider");
+  }
+  if (area < 0) reverse(contour);
+  return contour;
+}
+
+/// The curves of a plane as pieces, or which of them cannot be used.
+Result<std::vector<sections::SectionPiece>> readCurves(const Plane& plane, const Standing& standing) {
   std::vector<sections::SectionPiece> pieces;
   Points all;
   std::vector<std::size_t> sizes;
   for (std::size_t c = 0; c < plane.curves.size(); ++c) {
-    const auto refused = [&](const char* why) {
-      return Failure{Error::StackInvalid, "curve " + std::to_string(c + 1) + " on " + nameOf(number) + " " + why};
-    };
-    Curve curve = plane.curves[c];
-    Box2 box;
-    box.add(curve.through);
-    if (!(box.size() > kNothing)) return refused("has no size: draw it anew");
-    dropRepeats(curve, box.size() * kNothing);
-    if (curve.through.size() < 3) return refused("needs three different points");
-    sections::Contour contour = polygonOf(curve);
-    simplify(contour, box.size());
-    const std::span<const SectionPoint> points(contour.points);
-    const double area = geometry::signedArea(points);
-    const bool isWide = std::min(box.high.x - box.low.x, box.high.y - box.low.y) > kSliver * box.size();
-    if (isWide && !geometry::isSimple(points)) return refused("crosses itself: draw it anew");
-    if (!(std::abs(area) > kSliver * box.size() * box.size())) return refused("encloses nothing: draw it wider");
-    if (area < 0) {
-      reverse(contour);
+    Result<sections::Contour> read = readCurve(plane.curves[c]);
+    if (!read) {
+      return Failure{Error::StackInvalid,
+                     "curve " + std::to_string(c + 1) + " on " + nameOf(standing) + " " + read.failure().detail};
     }
+    sections::Contour& contour = read.value();
     all.insert(all.end(), contour.points.begin(), contour.points.end());
     sizes.push_back(contour.points.size());
     pieces.push_back({std::move(contour), false, 0});
   }
   if (sizes.size() > 1 && !geometry::areSimple(all, sizes)) {
-    return Failure{Error::StackInvalid, "curves on " + nameOf(number) + " cross each other: move them apart"};
+    return Failure{Error::StackInvalid, "curves on " + nameOf(standing) + " cross each other: move them apart"};
   }
   sections::nest(pieces);
   return pieces;
@@ -196,7 +191,7 @@ Status checkOrder(const Sheets& sheets) {
   constexpr double kStep = 1e-4;  // of the rail
   for (std::size_t i = 1; i < sheets.all.size(); ++i) {
     const Sheet &a = sheets.all[i - 1], &b = sheets.all[i];
-    const std::string both = nameOf(a.number) + " and " + nameOf(b.number);
+    const std::string both = nameOf(a.plane) + " and " + nameOf(b.plane);
     if (sheets.alongRail) {
       if (!(b.at - a.at >= kStep)) {
         return {Error::StackInvalid, both + " stand at one place of the rail or in the wrong order: move one along it"};
@@ -216,7 +211,7 @@ Status checkOrder(const Sheets& sheets) {
 
 }  // namespace
 
-Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail) {
+Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail, const std::vector<Pattern>& patterns) {
   Sheets sheets;
   if (!rail.points.empty()) {
     Result<RailLine> line = RailLine::of(rail);
@@ -224,22 +219,30 @@ Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail) {
     sheets.rail = std::move(line).value();
   }
   sheets.alongRail = sheets.rail.has_value();
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const Plane& plane = planes[i];
+  std::vector<std::vector<sections::SectionPiece>> read(planes.size());  // by plane: copies have the same
+  for (const Standing& standing : writtenOut(planes, patterns)) {
+    Plane plane = planes[standing.number];
+    plane.at = standing.at;
     if (plane.curves.empty()) continue;
     if (!plane.origin && !sheets.rail) {
-      return Failure{Error::StackInvalid, nameOf(i) + " has no origin, and there is no rail that it stands on"};
+      return Failure{Error::StackInvalid, nameOf(standing) + " has no origin, and there is no rail that it stands on"};
     }
     if (plane.origin) sheets.alongRail = false;
-    Result<std::vector<sections::SectionPiece>> pieces = readCurves(plane, i);
-    if (!pieces) return pieces.failure();
-    sheets.all.push_back({i, standOf(plane, sheets.rail), plane.at, std::move(pieces).value(), plane.blend});
+    if (read[standing.number].empty()) {
+      Result<std::vector<sections::SectionPiece>> pieces = readCurves(plane, standing);
+      if (!pieces) return pieces.failure();
+      read[standing.number] = std::move(pieces).value();
+    }
+    std::vector<bool> ground;
+    for (const Curve& curve : plane.curves) ground.push_back(curve.as == CurveUse::Ground);
+    sheets.all.push_back({standing, standOf(plane, sheets.rail), plane.at, read[standing.number], std::move(ground),
+                          std::move(plane.blend)});
   }
   if (sheets.all.size() == 1 && !sheets.rail) {
     return Failure{Error::StackInvalid, "one sheet alone has no height: draw on another sheet"};
   }
   if (sheets.all.size() == 1 && sheets.alongRail && !sheets.rail->closed()) {  // the same from end to end
-    Plane ends = planes[sheets.all.front().number];
+    Plane ends = planes[sheets.all.front().plane.number];
     for (const double at : {0.0, 1.0}) {
       ends.at = at;
       Sheet sheet = sheets.all.front();

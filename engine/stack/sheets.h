@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/sections/contour.h"
 #include "engine/stack/rail_line.h"
+#include "engine/stack/repeat.h"
 #include "engine/stack/stack_params.h"
 #include "engine/stack/stand.h"
 
@@ -15,10 +16,11 @@ namespace spineloft::stack {
 
 /// One plane with curves. Its normal points along the way through the stack.
 struct Sheet {
-  std::size_t number = 0;  ///< which of the planes
+  Standing plane;
   Stand stand;
   double at = 0;                               ///< share of the rail
   std::vector<sections::SectionPiece> pieces;  ///< plane coordinates, counter-clockwise, holes too
+  std::vector<bool> ground;                    ///< by piece: it has a side that stays below (CurveUse::Ground)
   sections::Blend blend;
 };
 
@@ -33,10 +35,9 @@ struct Sheets {
 
 /// Where a plane stands. Planes on the rail need one.
 Stand standOf(const Plane& plane, const std::optional<RailLine>& rail);
-/// A valid curve as a polygon; corners are its knots.
-sections::Contour polygonOf(const Curve& curve);
 
-/// Errors: StackInvalid, which names sheet and curve.
-Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail);
+/// The planes with patterns written out, which are valid (checkPatterns). Errors: StackInvalid, which names sheet and
+/// curve.
+Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail, const std::vector<Pattern>& patterns);
 
 }  // namespace spineloft::stack

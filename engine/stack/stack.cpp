@@ -15,6 +15,7 @@
 #include "engine/stack/fork.h"
 #include "engine/stack/network.h"
 #include "engine/stack/passage.h"
+#include "engine/stack/roughness.h"
 #include "engine/stack/skin.h"
 
 namespace spineloft::stack {
@@ -42,24 +43,32 @@ struct Tube {
 class Builder {
  public:
   Builder(const Sheets& sheets, const Network& network, const StackParams& params, image::Size picture)
-      : sheets_(sheets), network_(network), params_(params), skin_(picture), rings_(network.curves.size()) {}
+      : sheets_(sheets),
+        network_(network),
+        params_(params),
+        roughness_(params.rough),
+        skin_(picture),
+        rings_(network.curves.size()) {}
 
   void setFullness(double fullness) { shape_.fullness = fullness; }
 
-  /// False when a lid cannot be filled.
-  bool run() {
+  /// Holes: a lid cannot be filled. TooRough: a curve would cross itself.
+  enum class Outcome { Filled, Holes, TooRough };
+  Outcome run() {
     for (const Link& link : network_.links) passages_.emplace_back(sheets_, network_, link);
+    if (!roughness_.moveRings(sheets_, network_)) return Outcome::TooRough;
     std::size_t points = 0;
     for (const Passage& passage : passages_) points += passage.count();
     most_ = static_cast<int>(std::clamp<std::size_t>(kMostVertices / std::max<std::size_t>(1, points), 4, kMostRows));
     bool filled = true;
     for (Tube& tube : tubes()) {
       walls(tube);
+      if (tooRough_) return Outcome::TooRough;
       if (!tube.closed) filled = filled && ends(tube);
       for (const std::size_t outer : tube.curves) filled = filled && pockets(outer);
     }
     for (const Fork& fork : network_.forks) addJoint(jointOf(fork), shape_, skin_);
-    return filled;
+    return filled ? Outcome::Filled : Outcome::Holes;
   }
   mesh::TriMesh take() { return skin_.take(); }
 
@@ -113,8 +122,18 @@ class Builder {
     const Drawn& drawn = network_.curves[curve];
     const Stand& stand = standOf(curve);
     Row row{{{}, stand.at(drawn.centre), stand.x, stand.y, {}}, ringOf(curve)};
-    for (const SectionPoint p : drawn.ring) row.place.figure.push_back(p - drawn.centre);
+    for (const SectionPoint p : network_.curves[curve].ring) row.place.figure.push_back(p - drawn.centre);
     return row;
+  }
+
+  Passage::Section sectionAt(const Passage& passage, double t) {
+    Passage::Section section = passage.section(t);
+    if (!roughness_.any()) return section;
+    std::vector<ModelPoint> places;
+    for (const SectionPoint p : section.figure) places.push_back(section.at(p));
+    const double away = std::min(t, 1 - t) * passage.length();
+    if (!roughness_.move(section.figure, passage.sizes(), places, roughness_.shareAt(away))) tooRough_ = true;
+    return section;
   }
 
   /// All walls between the curves of a tube, and its rows.
@@ -127,13 +146,12 @@ class Builder {
       tube.holed = tube.holed || passage.sizes().size() > 1;
       std::vector<RingVertices> last;
       for (const std::size_t own : passage.from()) last.push_back(ringOf(own));
-      const int steps = passage.steps(most_);
-      for (int i = 1; i <= steps; ++i) {
+      for (const double t : passage.rows(most_, roughness_.rowsOf(passage.length()))) {
         std::vector<RingVertices> next(last.size());
-        if (i == steps) {
+        if (t == 1) {
           for (std::size_t c = 0; c < next.size(); ++c) next[c] = ringOf(passage.to()[c]);
         } else {
-          Passage::Section section = passage.section(static_cast<double>(i) / steps);
+          Passage::Section section = sectionAt(passage, t);
           std::size_t at = 0;
           for (std::size_t c = 0; c < next.size(); ++c) {
             for (std::size_t k = 0; k < passage.sizes()[c]; ++k) {
@@ -305,46 +323,61 @@ class Builder {
   }
 
   const Sheets& sheets_;
-  const Network& network_;
+  Network network_;  ///< its rings uneven, once the passages are made
   const StackParams& params_;
+  Roughness roughness_;
   Skin skin_;
+  bool tooRough_ = false;
   std::vector<RingVertices> rings_;
   std::vector<Passage> passages_;
   int most_ = kMostRows;
   JointShape shape_;
 };
 
-}  // namespace
-
-Result<mesh::TriMesh> stackPlanes(const Stack& stack, image::Size picture) {
-  if (!isValid(stack.params) || picture.width < 1 || picture.height < 1) return Error::ValueOutOfRange;
-  if (Status planes = checkPlanes(stack.planes, stack.rail); !planes) return planes.failure();
-  const Result<Sheets> sheets = standSheets(stack.planes, stack.rail);
-  if (!sheets) return sheets.failure();
-  const Network network = linkSheets(sheets.value(), stack.params.sides);
-  if (network.links.empty() && network.forks.empty()) {
-    return Failure{Error::StackInvalid, "no curve is near enough to one on the next sheet: draw them above each other"};
-  }
+/// The solid with as much of its roughness as `params` say. Errors: StackInvalid. None: it would cross itself so rough.
+std::optional<Result<mesh::TriMesh>> built(const Sheets& sheets, const Network& network, const StackParams& params,
+                                           image::Size picture) {
   // Full joints first; where their walls cross, straighter ones. Without a fork the first is as good as any.
   constexpr std::array kFullness = {0.35, 0.175, 0.0875, 0.0};
   mesh::TriMesh mesh;
   for (const double fullness : kFullness) {
-    Builder builder(sheets.value(), network, stack.params, picture);
+    Builder builder(sheets, network, params, picture);
     builder.setFullness(fullness);
-    const bool filled = builder.run();
+    const Builder::Outcome outcome = builder.run();
+    if (outcome == Builder::Outcome::TooRough) return std::nullopt;
     mesh = builder.take();
     mesh::MeshReport report = mesh::inspect(mesh);
     if (!report.outward) {  // it goes back through itself more than ahead
       for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
       report.outward = true;
     }
-    if (!filled || !report.valid()) {
+    if (outcome == Builder::Outcome::Holes || !report.valid()) {
       return Failure{Error::StackInvalid,
                      "the sheets are too close to each other or their curves too fine: move them apart"};
     }
     if (network.forks.empty() || !mesh::selfCrossing(mesh)) break;
   }
   return mesh;
+}
+
+}  // namespace
+
+Result<mesh::TriMesh> stackPlanes(const Stack& stack, image::Size picture) {
+  if (!isValid(stack.params) || picture.width < 1 || picture.height < 1) return Error::ValueOutOfRange;
+  if (Status planes = checkPlanes(stack.planes, stack.rail, stack.params.patterns); !planes) return planes.failure();
+  const Result<Sheets> sheets = standSheets(stack.planes, stack.rail, stack.params.patterns);
+  if (!sheets) return sheets.failure();
+  const Network network = linkSheets(sheets.value(), stack.params.sides);
+  if (network.links.empty() && network.forks.empty()) {
+    return Failure{Error::StackInvalid, "no curve is near enough to one on the next sheet: draw them above each other"};
+  }
+  StackParams params = stack.params;
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
+    params.rough.amount = stack.params.rough.amount * share;
+    if (auto made = built(sheets.value(), network, params, picture)) return *std::move(made);
+  }
+  params.rough.amount = 0;
+  return *built(sheets.value(), network, params, picture);
 }
 
 }  // namespace spineloft::stack

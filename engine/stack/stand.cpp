@@ -1,5 +1,6 @@
 #include "engine/stack/stand.h"
 
+#include "engine/stack/outline.h"
 #include "engine/stack/rail_line.h"
 #include "engine/stack/sheets.h"
 

@@ -23,8 +23,8 @@ Result<Stand> standOf(const Plane& plane, const Rail& rail);
 /// Length of the rail's line, picture pixels; 0 where it has none.
 double lengthOf(const Rail& rail);
 
-/// A valid curve as a closed polygon, within a ten-thousandth of half its size; the last point is not the first one
-/// again.
+/// What a valid curve encloses, as a ribbon or as ground if it is one, as a closed polygon within a ten-thousandth of
+/// half the curve's size; the last point is not the first one again.
 std::vector<SectionPoint> outlineOf(const Curve& curve);
 
 }  // namespace spineloft::stack

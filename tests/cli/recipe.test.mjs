@@ -29,17 +29,20 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'ball-from-two-circles',
     'bones-of-outlines',
     'box',
+    'castle-wall',
     'creature-of-lines',
     'hand',
     'helix',
     'letters',
     'one-smooth-bone',
     'ring',
+    'terrain',
     'three-piece-slice',
     'tooth',
     'toothpaste-tube',
     'twisted-pasta',
     'vase',
+    'volcano',
     'waved-disc',
     'wine-glass',
     'y-fork',
@@ -120,6 +123,56 @@ test('a stack needs no picture, and is as large as its curves say', (t) => {
   works('open', text, '--out', folder.path('again.glb'));
 });
 
+/** Shoelace of x, y, x, y, … */
+const areaOf = (through) => {
+  let twice = 0;
+  for (let i = 0; i < through.length; i += 2) {
+    const [x, y, u, v] = [0, 1, 2, 3].map((k) => through[(i + k) % through.length]);
+    twice += x * v - u * y;
+  }
+  return Math.abs(twice) / 2;
+};
+
+test('the castle wall is the sum of its prisms and a file of at most 700 bytes, and ground that of its trapezoids', (t) => {
+  const folder = workFolder(t);
+  const near = (mesh, volume, share) =>
+    assert.ok(mesh.lawful && Math.abs(mesh.volume / volume - 1) <= share, `${mesh.volume}, not ${volume}`);
+  assert.ok(readFileSync(recipe('castle-wall')).length <= 700);
+  const wall = readJson(recipe('castle-wall')).recipe;
+  const [pattern] = wall.stack.patterns;
+  const places = [];
+  for (let copy = 0; copy < pattern.times; ++copy) {
+    for (const { at = 0, curves } of wall.planes) {
+      places.push({ at: at + copy * pattern.spacing, area: areaOf(curves[0].through) });
+    }
+  }
+  const length = wall.rail.points[3];
+  const volume = places.slice(1).reduce((sum, { at }, i) => sum + (at - places[i].at) * length * places[i].area, 0);
+  const [{ mesh }] = reports(folder, recipe('castle-wall'));
+  near(mesh, volume, 5e-3);
+  assert.deepEqual([mesh.genus, mesh.shells, mesh.crossesItself], [0, 1, false]);
+
+  const line = [-40, 12, -10, 30, 15, 18, 40, 26];
+  const curves = [{ through: line, corners: 'all', open: true, as: 'ground', base: -3 }];
+  const rail = { points: [0, 0, 0, 0, 0, -200] };
+  const planes = [
+    { at: 0, curves },
+    { at: 1, curves },
+  ];
+  const [ground] = reports(folder, write(folder, 'ground.json', stack({ rail, planes })));
+  near(ground.mesh, 200 * areaOf([...line, 40, -3, -40, -3]), 1e-3);
+
+  // Without an amount nothing is rough; with the same seed twice the same.
+  const bytes = (rough) => {
+    const file = write(folder, 'rough.json', stack({ rail, planes, stack: { rough } }));
+    works('loft', '--recipe', file, '--out', folder.path('rough.stl'));
+    return readFileSync(folder.path('rough.stl'));
+  };
+  assert.deepEqual(bytes({ size: 9, seed: 4 }), bytes({}));
+  assert.deepEqual(bytes({ amount: 2, seed: 4 }), bytes({ amount: 2, seed: 4 }));
+  assert.notDeepEqual(bytes({ amount: 2, seed: 4 }), bytes({ amount: 2, seed: 5 }));
+});
+
 test('slices that make no solid are refused with one sentence that names them', (t) => {
   const folder = workFolder(t);
   const refused = (recipe, words) => {
@@ -147,6 +200,19 @@ test('slices that make no solid are refused with one sentence that names them', 
   );
   refused({ rail: { points: [0, 0, 0, 1] }, planes: planes(circle(9), circle(9)) }, /rail\.points/);
   refused({ rail, planes: [{ at: 7, curves: [circle(9)] }] }, /sheet 1/);
+  const open = { through: [-20, 5, 20, 5], open: true };
+  const beside = (curve) => ({ rail, planes: planes([circle(3, 90), { ...open, ...curve }], circle(9)) });
+  refused(beside({}), /curve 2 on sheet 1 is open: make it a ribbon or ground/);
+  refused(beside({ as: 'ribbon' }), /curve 2 on sheet 1 is a ribbon without a width/);
+  refused(beside({ as: 'ground', base: 9 }), /curve 2 on sheet 1 goes below its base/);
+  refused(beside({ as: 'ribbon', width: 1e9 }), /curve 2 on sheet 1/);
+  refused(beside({ as: 'river' }), /as.*"closed", "ribbon", "ground"/);
+  const patterned = (...patterns) => ({ rail, planes: planes(circle(9), circle(8)), stack: { patterns } });
+  refused(patterned({ last: 2, times: 2, spacing: 0.5 }), /pattern 1 ends with sheet 3, but there are 2/);
+  refused(patterned({ times: 4, spacing: 0.5 }), /pattern 1 goes beyond the end of the rail/);
+  refused(patterned({ times: 300, spacing: 0.001 }), /301 curves/);
+  refused(patterned({ times: 0 }), /pattern 1 is repeated 0 times: choose 1 to 1000/);
+  refused(patterned({ times: 2 }), /pattern 1 has no spacing/);
 });
 
 test('a profile that cannot be turned is refused with one sentence', (t) => {

@@ -15,6 +15,16 @@ namespace {
 
 using namespace document;
 
+/// Of this kind as often as not: few documents have one of them.
+PartId anyPartOf(Rng& rng, const Document& d, PartKind kind) {
+  std::vector<PartId> found;
+  for (const auto& part : d.parts) {
+    if (kindOf(part->recipe) == kind) found.push_back(part->id);
+  }
+  if (found.empty() || rng.below(2) == 0) return anyPart(rng, d);
+  return found[rng.below(static_cast<std::uint32_t>(found.size()))];
+}
+
 /// One maker for every alternative of the variant: a new action without one does not compile.
 template <class A>
 struct Make;
@@ -273,15 +283,17 @@ struct Make<DrawStack> {
 };
 template <>
 struct Make<SetPlanes> {
-  static SetPlanes from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyPlanes(rng)}; }
+  static SetPlanes from(Rng& rng, const Document& d) { return {anyPartOf(rng, d, PartKind::Stack), anyPlanes(rng)}; }
 };
 template <>
 struct Make<SetRail> {
-  static SetRail from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRail(rng)}; }
+  static SetRail from(Rng& rng, const Document& d) { return {anyPartOf(rng, d, PartKind::Stack), anyRail(rng)}; }
 };
 template <>
 struct Make<ShapeStack> {
-  static ShapeStack from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyStackParams(rng)}; }
+  static ShapeStack from(Rng& rng, const Document& d) {
+    return {anyPartOf(rng, d, PartKind::Stack), anyStackParams(rng)};
+  }
 };
 
 template <>
@@ -295,11 +307,13 @@ struct Make<DrawShape> {
 };
 template <>
 struct Make<SetShape> {
-  static SetShape from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyShape(rng)}; }
+  static SetShape from(Rng& rng, const Document& d) { return {anyPartOf(rng, d, PartKind::Shape), anyShape(rng)}; }
 };
 template <>
 struct Make<SetOutlines> {
-  static SetOutlines from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyOutlines(rng, d)}; }
+  static SetOutlines from(Rng& rng, const Document& d) {
+    return {anyPartOf(rng, d, PartKind::Shape), anyOutlines(rng, d)};
+  }
 };
 template <>
 struct Make<SetView> {

@@ -139,6 +139,12 @@ stack::Curve anyDrawnCurve(Rng& rng) {
   }
   curve.corners.all = rng.below(4) == 0;
   if (!curve.corners.all && rng.below(3) == 0) curve.corners.at = {rng.below(count + (rng.below(9) == 0 ? 2 : 0))};
+  if (rng.below(6) == 0) {
+    curve.open = rng.below(9) > 0;
+    curve.as = rng.below(2) == 0 ? stack::CurveUse::Ribbon : stack::CurveUse::Ground;
+    curve.width = rng.uniform(rng.below(20) == 0 ? -5 : 1, 5);
+    curve.base = rng.uniform(-60, -20);
+  }
   return curve;
 }
 }  // namespace
@@ -169,8 +175,18 @@ stack::Rail anyRail(Rng& rng) {
   return rail;
 }
 stack::StackParams anyStackParams(Rng& rng) {
-  return {static_cast<sections::CapStyle>(rng.below(5)), static_cast<sections::CapStyle>(rng.below(4)),
-          8 + static_cast<int>(rng.below(40)), static_cast<int>(rng.below(8))};
+  stack::StackParams params{static_cast<sections::CapStyle>(rng.below(5)),
+                            static_cast<sections::CapStyle>(rng.below(4)),
+                            8 + static_cast<int>(rng.below(40)),
+                            static_cast<int>(rng.below(8)),
+                            {},
+                            {}};
+  if (rng.below(4) == 0) params.patterns.push_back({0, 0, 1 + rng.below(3), rng.uniform(0.01, 0.1)});
+  if (rng.below(40) == 0) params.patterns.push_back({rng.below(4), rng.below(4), rng.below(3), rng.uniform(0, 1)});
+  if (rng.below(4) == 0) {
+    params.rough = {rng.uniform(rng.below(20) == 0 ? -5 : 0, 5), rng.uniform(1, 60), rng.below(100), rng.below(2) == 0};
+  }
+  return params;
 }
 std::vector<Outline> anyOutlines(Rng& rng, const Document& d) {
   std::vector<Outline> outlines(rng.below(3));

@@ -46,7 +46,7 @@ export interface SectionKey {
   /** Outer curves and holes. */
   curves: number;
   holes: number;
-  /** How it becomes the next one: 'linear', 'ease', 'square', 'root', 'overshoot' or 'custom'. */
+  /** How it becomes the next one: 'linear', 'ease', 'square', 'root', 'overshoot', 'flow', 'hold' or 'custom'. */
   blend: string;
 }
 

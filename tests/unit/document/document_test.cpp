@@ -193,7 +193,7 @@ TEST_CASE("a stack keeps what was drawn, and refuses what is none") {
   REQUIRE(stackOf(*drawn.parts.back()) != nullptr);
   CHECK(*stackOf(*drawn.parts.back()) == StackRecipe{PictureId{1}, {plane, top}, rail, {}});
   CHECK(pictureOf(*drawn.parts.back()) == PictureId{1});
-  const stack::StackParams open{sections::CapStyle::Open, sections::CapStyle::Round, 64, 3};
+  const stack::StackParams open{sections::CapStyle::Open, sections::CapStyle::Round, 64, 3, {}, {}};
   const Document shaped = after(drawn, {SetPlanes{id, {plane}}, SetRail{id, {}}, ShapeStack{id, open}});
   CHECK(*stackOf(*shaped.parts.back()) == StackRecipe{PictureId{1}, {plane}, {}, open});
   const auto with = [&](auto change) {
@@ -209,10 +209,20 @@ TEST_CASE("a stack keeps what was drawn, and refuses what is none") {
   CHECK(with([](stack::Plane& p) { p.turn.w = 2; }) == Error::ValueOutOfRange);
   CHECK(with([](stack::Plane& p) { p.curves[0].through[1].x = std::nan(""); }) == Error::ValueOutOfRange);
   CHECK(with([](stack::Plane& p) { p.curves[0].through.resize(2); }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].as = stack::CurveUse::kCount; }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].width = -1; }) == Error::ValueOutOfRange);
+  CHECK(with([](stack::Plane& p) { p.curves[0].base = std::nan(""); }) == Error::ValueOutOfRange);
+  stack::StackParams twice;
+  twice.patterns = {{0, 1, 2, 0.5}};
+  CHECK(errorOf(drawn, ShapeStack{id, twice}) == Error::StackInvalid);  // it goes beyond the rail
+  twice.patterns = {{0, 0, 2, 0.5}};
+  const Document repeated = after(drawn, {ShapeStack{id, twice}});
+  CHECK(stackOf(*repeated.parts.back())->stack == twice);
+  CHECK(errorOf(repeated, SetPlanes{id, {}}) == Error::StackInvalid);
   CHECK(with([](stack::Plane& p) { p.curves[0].corners.at = {4}; }) == Error::ValueOutOfRange);
   CHECK(with([](stack::Plane& p) { p.curves.resize(stack::kMostCurves + 1, p.curves[0]); }) == Error::ValueOutOfRange);
   CHECK(errorOf(drawn, SetRail{id, {{{0, std::nan(""), 0}}, false}}) == Error::ValueOutOfRange);
-  CHECK(errorOf(drawn, ShapeStack{id, {sections::CapStyle::Flat, sections::CapStyle::Flat, 4, 6}}) ==
+  CHECK(errorOf(drawn, ShapeStack{id, {sections::CapStyle::Flat, sections::CapStyle::Flat, 4, 6, {}, {}}}) ==
         Error::ValueOutOfRange);
 }
 

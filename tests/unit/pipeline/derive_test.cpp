@@ -202,6 +202,15 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].through[2].y += 1e-9; }));
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].corners.all = true; }));
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].corners.at = {1}; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].open = true; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].as = stack::CurveUse::Ground; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].width = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].base = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.patterns = {{0, 0, 1, 0}}; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.rough.amount = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.rough.size = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.rough.seed = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.rough.keepDrawn = true; }));
   CHECK(changes([](StackRecipe& r) { r.rail.closed = true; }));
   CHECK(changes([](StackRecipe& r) { r.rail.points[1].z = 1; }));
   CHECK(changes([](StackRecipe& r) { r.stack.startCap = sections::CapStyle::Round; }));
