@@ -28,8 +28,8 @@ T must(Result<T> result) {
 /// `what` is empty, or begins with a space.
 void reportShape(const geometry::Contours& contours, const std::string& what, Report& report) {
   const document::Region region{PictureId{1}, contours, 0};
-  const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}};
-  const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}};
+  const document::InflateRecipe inflate{region, {1, inflate::InflateSides::Both, 4000}, {}};
+  const document::InflateRecipe moving{region, {1, inflate::InflateSides::Both, 900}, {}};
   document::InflateRecipe round = inflate, movingRound = moving;
   round.inflate.profile.slices = movingRound.inflate.profile.slices = {{sections::SectionPreset::Circle}};
   const auto stage = [&](const std::string& name, int runs, const std::function<void(int)>& work) {
