@@ -178,7 +178,10 @@ Result<SideLines> sideLinesOf(std::vector<Line> lines, const std::string& name) 
     return isSimple(lines[0], lines[1]) || isSimple(plain(lines[0]), plain(lines[1]));
   };
   if (std::ranges::none_of(kTremor, evenOut)) {
-    return Failure{Error::ShapeInvalid, name + (closed ? " crosses itself" : ": its two lines cross")};
+    lines = drawn;  // evened out, the corners of a narrow end may cross
+    if (!isSimple(lines[0], lines[1])) {
+      return Failure{Error::ShapeInvalid, name + (closed ? " crosses itself" : ": its two lines cross")};
+    }
   }
   if (!(std::abs(geometry::signedArea(std::span<const SectionPoint>(outline))) >= geometry::kLeastRegionArea)) {
     return Error::RegionEmpty;
