@@ -13,7 +13,7 @@
 namespace spineloft::shape {
 namespace {
 
-constexpr std::size_t kRows = 1024;
+constexpr std::size_t kRows = 512;
 /// The factor is at most so many times its median.
 constexpr double kMostTimes = 4;
 /// Shares of the size: least depth of a row by the outline; of the part what is none.
