@@ -45,6 +45,8 @@ constexpr std::array kTexts = {
     ErrorText{Error::NotAShape, "NotAShape", "This part is no shape. Choose a ball, a block or another shape."},
     ErrorText{Error::NotAPiece, "NotAPiece",
               "This part is no piece of a line drawing. Choose one that was drawn with Lines."},
+    ErrorText{Error::TakesNoSide, "TakesNoSide",
+              "This part takes no outline from the side. Choose a puff, or a part that was drawn with a line."},
     ErrorText{Error::TooFewRibs, "TooFewRibs",
               "The part has fewer than two ribs. Draw a longer line through the object."},
     ErrorText{Error::SectionInvalid, "SectionInvalid",

@@ -38,6 +38,7 @@ enum class Error {
   NotAStack,        ///< only for parts that are drawn slice by slice
   NotAShape,        ///< only for parts that are shapes
   NotAPiece,        ///< only for parts that are pieces of a line drawing
+  TakesNoSide,      ///< only for lofts and puffs, which take an outline from the side
   TooFewRibs,       ///< a loft needs at least 2 ribs
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
   StackInvalid,     ///< planes or curves of a stack that make no solid

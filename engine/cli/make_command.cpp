@@ -88,12 +88,11 @@ const char* nameOf(const std::optional<geometry::View>& view) {
 /// How the silhouettes of a part agree with its outlines.
 Json viewsOf(const Model& model, std::size_t number) {
   Json views = Json::array();
-  const document::ShapeRecipe* shape = document::shapeOf(*model.document.parts[number]);
-  if (shape == nullptr) return views;
-  for (const document::Outline& outline : shape->outlines) {
-    const auto view = viewOn(model.document, outline.picture, shape->picture);
+  const document::Part& part = model.document.parts[number];
+  for (const document::Outline* outline : document::outlinesOf(part.recipe)) {
+    const auto view = viewOn(model.document, outline->picture, document::pictureOf(part));
     if (!view.ok()) continue;
-    const auto match = pipeline::matchOutline(model.shape(number).mesh, view.value(), outline.lines);
+    const auto match = pipeline::matchOutline(model.shape(number).mesh, view.value(), outline->lines);
     views.push_back(
         {{"view", nameOf(view.value())}, {"iou", match.iou}, {"largest", match.largest}, {"mean", match.mean}});
   }

@@ -85,7 +85,8 @@ struct RedrawRegion {
   PartId part;
   Region region;
 };
-/// How a part is made of its region; parameters of another kind make it that kind.
+/// How a part is made of its region; parameters of another kind make it that kind. A puff that stays one keeps its side
+/// outline.
 struct ShapeRegion {
   PartId part;
   RegionSolid solid;
@@ -135,6 +136,11 @@ struct SetShape {
 struct SetOutlines {
   PartId part;
   std::vector<Outline> outlines;
+};
+/// The side outline of a loft or a puff; none: its depth is its own again.
+struct SetSide {
+  PartId part;
+  std::optional<Outline> side;
 };
 /// A picture becomes the side of another one, or of none; outlines that thereby are in no view of their part go.
 struct SetView {
@@ -318,6 +324,6 @@ using Action =
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
-                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece>;
+                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece, SetSide>;
 
 }  // namespace spineloft::document

@@ -96,6 +96,13 @@ Status checkStack(const Document& document, const StackRecipe& recipe) {
 
 namespace {
 
+/// Whether a picture shows another one from the right or the left.
+bool showsSide(const Document& document, PictureId picture, PictureId front) {
+  using geometry::ViewFrom;
+  const auto view = viewOn(document, picture, front);
+  return view.ok() && view.value() && (view.value()->from == ViewFrom::Right || view.value()->from == ViewFrom::Left);
+}
+
 Status checkOutline(const Document& document, PictureId front, const Outline& outline) {
   if (const auto view = viewOn(document, outline.picture, front); !view.ok()) return view.failure();
   if (outline.lines.empty() || outline.lines.size() > 2) {
@@ -142,7 +149,20 @@ Status checkShape(const Document& document, const ShapeRecipe& recipe) {
   return Done{};
 }
 
+Status checkSide(const Document& document, const Recipe& recipe) {
+  const std::optional<Outline>* side = sideOf(recipe);
+  if (side == nullptr || !*side) return Done{};
+  const PictureId front = pictureOf(recipe);
+  if (!showsSide(document, (*side)->picture, front)) return Error::ViewInvalid;
+  return checkOutline(document, front, **side);
+}
+
 std::size_t dropUnseen(const Document& document, Recipe& recipe) {
+  std::optional<Outline>* side = sideOf(recipe);
+  if (side != nullptr && *side && !showsSide(document, (*side)->picture, pictureOf(recipe))) {
+    side->reset();
+    return 1;
+  }
   auto* shape = std::get_if<ShapeRecipe>(&recipe);
   if (shape == nullptr) return 0;
   return std::erase_if(shape->outlines,
@@ -247,6 +267,7 @@ Status checkSolid(const RegionSolid& solid) {
 }
 
 Status checkDrawn(const Document& document, const Recipe& recipe) {
+  if (Status side = checkSide(document, recipe); !side) return side;
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
   if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return checkShape(document, *shape);
   if (const auto* element = std::get_if<ElementRecipe>(&recipe)) return checkElement(document, *element);

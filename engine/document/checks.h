@@ -46,6 +46,10 @@ Status checkView(const Document& document, PictureId picture, const PictureView&
 /// RegionOutside, ShapeInvalid. Whether the outlines make a shape is only known when it is made.
 Status checkShape(const Document& document, const ShapeRecipe& recipe);
 
+/// Whether the side outline of a loft or a puff, where it has one, is drawn in a picture of its right or left. Errors:
+/// as of checkShape.
+Status checkSide(const Document& document, const Recipe& recipe);
+
 /// Whether the lines of a drawing are finite, long enough, within the limits of descriptive/drawing.h and at least in
 /// part on its picture. Errors: NoSuchPicture, StrokeNotFinite, StrokeTooShort, StrokeOutsidePicture, ValueOutOfRange
 /// (with what).
@@ -67,7 +71,7 @@ std::size_t dropUnseen(const Document& document, Recipe& recipe);
 /// What a region is made into. Errors: ValueOutOfRange; SectionInvalid for a slice that is no profile of a puff.
 Status checkSolid(const RegionSolid& solid);
 
-/// What was drawn for a part: that of the above for its kind.
+/// What was drawn for a part: that of the above for its kind, and its side outline.
 Status checkDrawn(const Document& document, const Recipe& recipe);
 
 /// Whether somebody drew anything: a part, a stroke on paper, a scribble over edges. Pictures alone are no work.

@@ -38,10 +38,17 @@ std::size_t bytesOf(const Region& region) {
 }
 
 // What a recipe holds beyond its own size.
+std::size_t heldBy(const std::optional<Outline>& side) {
+  std::size_t bytes = 0;
+  if (!side) return bytes;
+  for (const auto& line : side->lines) bytes += sizeof(line) + bytesOf(line);
+  return bytes;
+}
 std::size_t heldBy(const LoftRecipe& recipe) {
-  std::size_t bytes = bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) + bytesOf(recipe.edits.added) +
-                      bytesOf(recipe.edits.removed) + bytesOf(recipe.edits.startFan) + bytesOf(recipe.edits.endFan) +
-                      bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) + bytesOf(recipe.pose.depth.points);
+  std::size_t bytes = heldBy(recipe.side) + bytesOf(recipe.stroke) + bytesOf(recipe.edits.ends) +
+                      bytesOf(recipe.edits.added) + bytesOf(recipe.edits.removed) + bytesOf(recipe.edits.startFan) +
+                      bytesOf(recipe.edits.endFan) + bytesOf(recipe.ignored) + bytesOf(recipe.pose.stroke) +
+                      bytesOf(recipe.pose.depth.points);
   const loft::LoftParams& loft = recipe.loft;
   for (const auto* curve : {&loft.twist, &loft.squash, &loft.tilt, &loft.bulge}) {
     bytes += bytesOf(curve->points);
@@ -63,8 +70,8 @@ std::size_t heldBy(const StackRecipe& recipe) {
 std::size_t heldBy(const InflateRecipe& recipe) {
   const inflate::ProfileParams& profile = recipe.inflate.profile;
   const inflate::BoneEdits& bones = recipe.inflate.bones;
-  std::size_t bytes = bytesOf(recipe.region) + bytesOf(profile.slices) + bytesOf(bones.drop) + bytesOf(bones.add) +
-                      bytesOf(bones.move) + bytesOf(bones.heights);
+  std::size_t bytes = heldBy(recipe.side) + bytesOf(recipe.region) + bytesOf(profile.slices) + bytesOf(bones.drop) +
+                      bytesOf(bones.add) + bytesOf(bones.move) + bytesOf(bones.heights);
   for (const auto& slice : profile.slices) {
     for (const auto& contour : slice.shape.contours) bytes += sizeof(contour) + bytesOf(contour);
   }
@@ -168,6 +175,30 @@ const Region* regionOf(const Recipe& recipe) {
 }
 Region* regionOf(Recipe& recipe) {
   return const_cast<Region*>(regionOf(std::as_const(recipe)));  // what it is given is not const
+}
+
+const std::optional<Outline>* sideOf(const Recipe& recipe) {
+  if (const auto* loft = std::get_if<LoftRecipe>(&recipe)) return &loft->side;
+  const auto* puff = std::get_if<InflateRecipe>(&recipe);
+  return puff ? &puff->side : nullptr;
+}
+std::optional<Outline>* sideOf(Recipe& recipe) {
+  return const_cast<std::optional<Outline>*>(sideOf(std::as_const(recipe)));
+}
+
+std::vector<const Outline*> outlinesOf(const Recipe& recipe) {
+  std::vector<const Outline*> outlines;
+  if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) {
+    for (const Outline& outline : shape->outlines) outlines.push_back(&outline);
+  }
+  const std::optional<Outline>* side = sideOf(recipe);
+  if (side != nullptr && *side) outlines.push_back(&**side);
+  return outlines;
+}
+std::vector<Outline*> outlinesOf(Recipe& recipe) {
+  std::vector<Outline*> outlines;
+  for (const Outline* outline : outlinesOf(std::as_const(recipe))) outlines.push_back(const_cast<Outline*>(outline));
+  return outlines;
 }
 
 PictureId pictureOf(const Recipe& recipe) {

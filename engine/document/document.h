@@ -64,6 +64,13 @@ struct PictureEntry {
   }
 };
 
+/// The outline of a part as a picture shows it: one closed line, or two open ones (the two sides of a limb).
+struct Outline {
+  PictureId picture;                             ///< the part's own, or one that is a side of it
+  std::vector<std::vector<PicturePoint>> lines;  ///< as drawn, pixels of that picture
+  bool operator==(const Outline&) const = default;
+};
+
 /// Recipe of a part made by one stroke: the authored input of spine → ribs → edits → pose → loft.
 struct LoftRecipe {
   PictureId picture;                 ///< on which the stroke was drawn
@@ -74,6 +81,7 @@ struct LoftRecipe {
   std::vector<ribs::IgnoreMark> ignored;  ///< edges that do not count for this part
   loft::Pose pose;
   loft::LoftParams loft;
+  std::optional<Outline> side;  ///< as seen from the right or the left: says the depth of each row (shape/side_fit.h)
   bool operator==(const LoftRecipe&) const = default;
 };
 
@@ -92,6 +100,7 @@ struct Region {
 struct InflateRecipe {
   Region region;
   inflate::InflateParams inflate;
+  std::optional<Outline> side;  ///< as of a loft
   bool operator==(const InflateRecipe&) const = default;
 };
 
@@ -116,13 +125,6 @@ struct StackRecipe {
   stack::Rail rail;
   stack::StackParams stack;
   bool operator==(const StackRecipe&) const = default;
-};
-
-/// The outline of a part as a picture shows it: one closed line, or two open ones (the two sides of a limb).
-struct Outline {
-  PictureId picture;                             ///< the part's own, or one that is a side of it
-  std::vector<std::vector<PicturePoint>> lines;  ///< as drawn, pixels of that picture
-  bool operator==(const Outline&) const = default;
 };
 
 /// Recipe of a shape: a primitive, and the outlines that reshape it.
@@ -213,6 +215,13 @@ const LoftRecipe& loftIn(const Part& part);
 /// The region of what is made of one, or null.
 const Region* regionOf(const Recipe& recipe);
 Region* regionOf(Recipe& recipe);
+
+/// The side outline of what may have one (lofts and puffs), or null.
+const std::optional<Outline>* sideOf(const Recipe& recipe);
+std::optional<Outline>* sideOf(Recipe& recipe);
+/// All outlines that a recipe has in views: those of a shape, the side of a loft or a puff.
+std::vector<const Outline*> outlinesOf(const Recipe& recipe);
+std::vector<Outline*> outlinesOf(Recipe& recipe);
 
 /// The picture on which it was drawn.
 PictureId pictureOf(const Recipe& recipe);

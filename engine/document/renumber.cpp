@@ -66,9 +66,7 @@ void renumber(Document& document) {
     pictures.to(picture);
     setPicture(part.recipe, picture);
     if (ElementRecipe* element = elementOf(part)) drawings.to(element->drawing);
-    if (ShapeRecipe* shape = shapeOf(part)) {
-      for (Outline& outline : shape->outlines) pictures.to(outline.picture);
-    }
+    for (Outline* outline : outlinesOf(part.recipe)) pictures.to(outline->picture);
   });
   changeAll(document.steps, [&](Step& step) {
     steps.to(step.id);

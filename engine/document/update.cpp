@@ -160,6 +160,7 @@ struct Apply {
     if (Status drawn = checkRegion(document, a.region); !drawn) return drawn;
     return editRegion(a.part, [&](Part& part) -> Status {
       *regionOf(part.recipe) = a.region;
+      dropUnseen(document, part.recipe);
       return Done{};
     });
   }
@@ -167,7 +168,9 @@ struct Apply {
     if (Status solid = checkSolid(a.solid); !solid) return solid;
     return editRegion(a.part, [&](Part& part) -> Status {
       const Region region = *regionOf(part.recipe);
+      const std::optional<Outline> side = inflateOf(part) ? inflateOf(part)->side : std::nullopt;
       part.recipe = recipeOf(region, a.solid);
+      if (InflateRecipe* puff = inflateOf(part)) puff->side = side;
       return Done{};
     });
   }
@@ -229,6 +232,14 @@ struct Apply {
   }
   Status operator()(const SetOutlines& a) const {
     return editShape(a.part, [&](ShapeRecipe& shape) { shape.outlines = a.outlines; });
+  }
+  Status operator()(const SetSide& a) const {
+    return editPart(a.part, [&](Part& part) -> Status {
+      std::optional<Outline>* side = sideOf(part.recipe);
+      if (side == nullptr) return Error::TakesNoSide;
+      *side = a.side;
+      return checkSide(document, part.recipe);
+    });
   }
   Status operator()(const SetView& a) const {
     if (a.view) {
@@ -371,7 +382,7 @@ struct Apply {
 Recipe recipeOf(const Region& region, const RegionSolid& solid) {
   struct Made {
     const Region& region;
-    Recipe operator()(const inflate::InflateParams& params) const { return InflateRecipe{region, params}; }
+    Recipe operator()(const inflate::InflateParams& params) const { return InflateRecipe{region, params, {}}; }
     Recipe operator()(const extrude::ExtrudeParams& params) const { return ExtrudeRecipe{region, params}; }
     Recipe operator()(const lathe::LatheParams& params) const { return LatheRecipe{region, params}; }
   };

@@ -404,6 +404,9 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
   reading.notes.repaired += document::dropUnseen(document, part.recipe);
+  if (auto* side = document::sideOf(part.recipe)) {
+    mend(document::checkSide(document, part.recipe), *side, {}, reading.notes);
+  }
   mend(document::isValid(part.placement), part.placement, {}, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   if (reading.notes != before) settleExtra(part, toJson(part), reading);

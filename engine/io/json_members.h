@@ -110,7 +110,7 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::LoftRecipe> T>
 void members(V& v, T& value) {
-  auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = value;
+  auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft, side] = value;
   v("picture", picture);
   v("stroke", stroke);
   v("spine", spine);
@@ -119,6 +119,7 @@ void members(V& v, T& value) {
   v("ignored", ignored);
   v("pose", pose);
   v("loft", loft);
+  v("side", side);
 }
 template <class V, Is<document::Region> T>
 void members(V& v, T& value) {
@@ -180,11 +181,12 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::InflateRecipe> T>
 void members(V& v, T& value) {
-  auto& [region, inflate] = value;
+  auto& [region, inflate, side] = value;
   v("region", region);
   v("puff", inflate);
   v("profile", inflate.profile);
   v("bones", inflate.bones);
+  v("side", side);
 }
 template <class V, Is<document::ExtrudeRecipe> T>
 void members(V& v, T& value) {

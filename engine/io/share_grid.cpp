@@ -184,12 +184,10 @@ Document onGrids(const Document& document) {
     if (grid == grids.end()) continue;
     std::visit([&](auto& recipe) { keep(recipe, grid->second); }, part.recipe);
     if (document::LoftRecipe* loft = document::loftOf(part)) tellEnds(*loft, grid->second.size(), traced);
-    if (document::ShapeRecipe* shape = document::shapeOf(part)) {
-      for (document::Outline& outline : shape->outlines) {
-        const auto own = grids.find(outline.picture.value);
-        if (own == grids.end()) continue;
-        for (auto& line : outline.lines) line = own->second(line);
-      }
+    for (document::Outline* outline : document::outlinesOf(part.recipe)) {
+      const auto own = grids.find(outline->picture.value);
+      if (own == grids.end()) continue;
+      for (auto& line : outline->lines) line = own->second(line);
     }
     box = std::move(part);
   }

@@ -102,7 +102,7 @@ Status elementShape(const document::ElementRecipe& recipe, const Made& from, Cac
 }
 
 // In place of what `shape` held, which a failure leaves as it was.
-Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
+Status frontShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
   if (const auto* loft = std::get_if<document::LoftRecipe>(&from.recipe)) {
     return loftShape(*loft, from.entry, cache, purpose, shape, clock);
   }
@@ -128,6 +128,19 @@ Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape
                                       : regionStage(from.recipe, size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
+  return Done{};
+}
+
+// The same as deep as a side outline says.
+Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
+  const std::optional<document::Outline>* side = document::sideOf(from.recipe);
+  if (side == nullptr || !*side) return frontShapeOf(from, cache, purpose, shape, clock);
+  PartShape made;
+  if (Status status = frontShapeOf(from, cache, purpose, made, clock); !status.ok()) return status;
+  const double started = nowMs(clock);
+  if (Status status = sideStage(from.recipe, from.document, made); !status.ok()) return status;
+  made.ms.loft += nowMs(clock) - started;
+  shape = std::move(made);
   return Done{};
 }
 

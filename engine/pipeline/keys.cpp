@@ -185,6 +185,18 @@ void mix(Hasher& hasher, const descriptive::Place& place) {
   mixAll(hasher, line, share);
 }
 
+/// An outline and the view that its picture has of `front`.
+void mix(Hasher& hasher, const document::Outline& outline, PictureId front, const document::Document& document) {
+  const auto& [seenIn, lines] = outline;
+  const auto view = viewOn(document, seenIn, front);
+  mixAll(hasher, view.ok(), view.ok() && view.value(), lines.size());
+  if (view.ok() && view.value()) {
+    const auto& [from, middle, scale, shift] = *view.value();
+    mixAll(hasher, from, middle, scale, shift);
+  }
+  for (const auto& line : lines) mix(hasher, line);
+}
+
 /// A region's solid takes only its size from the picture, its texture the pixels.
 std::uint64_t regionKey(const document::Region& region, const document::PictureEntry& entry) {
   Hasher hasher;
@@ -207,8 +219,8 @@ IgnoredKey ignoredKey(const document::LoftRecipe& recipe, const document::Pictur
 }
 
 TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
-  // The picture's id is left out: equal content hashes, equal pixels.
-  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
+  // The picture's id is left out: equal content hashes, equal pixels. The side is, too: see the key of any recipe.
+  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft, side] = recipe;
   Hasher hasher;
   hasher.number(ignoredKey(recipe, entry).hash);
   mix(hasher, stroke);
@@ -218,7 +230,7 @@ TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEnt
 }
 
 ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
-  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft] = recipe;
+  const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft, side] = recipe;
   Hasher hasher;
   hasher.number(traceKey(recipe, entry).hash);
   mix(hasher, edits);
@@ -228,7 +240,7 @@ ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEnt
 }
 
 ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
-  const auto& [region, inflate] = recipe;
+  const auto& [region, inflate, side] = recipe;
   const auto& [height, sides, points, profile, bones] = inflate;
   Hasher hasher;
   hasher.text("puff").number(regionKey(region, entry));
@@ -241,7 +253,7 @@ ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::Picture
 InteriorKey interiorKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry) {
   Hasher hasher;
   hasher.text("interior").number(entry.size.width).number(entry.size.height);
-  const auto& [region, inflate] = recipe;
+  const auto& [region, inflate, side] = recipe;
   const auto& [height, sides, points, profile, bones] = inflate;
   mix(hasher, region);
   mix(hasher, bones);
@@ -294,16 +306,7 @@ ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEn
   hasher.number(section.has_value());
   if (section) mix(hasher, *section);
   mixAll(hasher, caps.start, caps.end, levels, sides, capRings, outlines.size());
-  for (const document::Outline& outline : outlines) {
-    const auto& [seenIn, lines] = outline;
-    const auto view = viewOn(document, seenIn, picture);
-    mixAll(hasher, view.ok(), view.ok() && view.value(), lines.size());
-    if (view.ok() && view.value()) {
-      const auto& [from, middle, scale, shift] = *view.value();
-      mixAll(hasher, from, middle, scale, shift);
-    }
-    for (const auto& line : lines) mix(hasher, line);
-  }
+  for (const document::Outline& outline : outlines) mix(hasher, outline, picture, document);
   return ShapeKey{hasher.value()};
 }
 
@@ -334,7 +337,7 @@ ShapeKey shapeKey(const document::ElementRecipe& recipe, const document::Picture
 
 ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document) {
-  return std::visit(
+  const ShapeKey plain = std::visit(
       [&](const auto& one) {
         if constexpr (requires { shapeKey(one, entry); }) {
           return shapeKey(one, entry);
@@ -343,6 +346,12 @@ ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& 
         }
       },
       recipe);
+  const std::optional<document::Outline>* side = document::sideOf(recipe);
+  if (side == nullptr || !*side) return plain;
+  Hasher hasher;
+  hasher.text("side").number(plain.hash);
+  mix(hasher, **side, document::pictureOf(recipe), document);
+  return ShapeKey{hasher.value()};
 }
 
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {

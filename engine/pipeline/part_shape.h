@@ -134,6 +134,11 @@ Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size pi
 Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,
                                image::Size picture, const Clock& clock = {});
 
+/// The side outline of a loft or a puff, where it has one, says how deep every row of its shape is (shape::fitToSide);
+/// the centre line goes along. A failure leaves the shape as it was. Errors: ViewInvalid, those of shape::fitToSide,
+/// OutOfMemory.
+Status sideStage(const document::Recipe& recipe, const document::Document& document, PartShape& shape);
+
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,
                             const Progress& progress, const Clock& clock = {});

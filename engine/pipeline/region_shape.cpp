@@ -11,6 +11,7 @@
 #include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/shape_outline.h"
 #include "engine/shape/shape.h"
+#include "engine/shape/side_fit.h"
 #include "engine/stack/stack.h"
 
 namespace spineloft::pipeline {
@@ -115,6 +116,13 @@ Result<std::vector<shape::SeenOutline>> seenOutlines(const document::ShapeRecipe
   return outlines;
 }
 
+/// A puff of one side is flat at z = 0.
+shape::FitSides fitSidesOf(const document::Recipe& recipe) {
+  const auto* puff = std::get_if<document::InflateRecipe>(&recipe);
+  if (puff == nullptr || puff->inflate.sides == inflate::InflateSides::Both) return shape::FitSides::Both;
+  return puff->inflate.sides == inflate::InflateSides::Front ? shape::FitSides::Front : shape::FitSides::Back;
+}
+
 }  // namespace
 
 Result<std::vector<PicturePoint>> outlineIn(const document::ShapeRecipe& recipe, const document::Document& document,
@@ -124,6 +132,23 @@ Result<std::vector<PicturePoint>> outlineIn(const document::ShapeRecipe& recipe,
   const auto view = viewOn(document, picture, recipe.picture);
   if (!view) return view.failure();
   return shape::outlineSeen(recipe.shape, outlines.value(), view.value());
+}
+
+Status sideStage(const document::Recipe& recipe, const document::Document& document, PartShape& shape) {
+  const std::optional<document::Outline>* side = document::sideOf(recipe);
+  if (side == nullptr || !*side) return Done{};
+  const auto view = viewOn(document, (*side)->picture, document::pictureOf(recipe));
+  if (!view) return view.failure();
+  try {
+    const shape::SeenOutline seen{view.value(), (*side)->lines};
+    const auto fit = shape::fitToSide({shape.mesh, seen, fitSidesOf(recipe), shape.centreLine});
+    if (!fit) return fit.failure();
+    fit.value().apply(shape.mesh);
+    for (ModelPoint& p : shape.centreLine) p.z = fit.value().depthOf(p.y, p.z);
+    return Done{};
+  } catch (const std::bad_alloc&) {
+    return Error::OutOfMemory;
+  }
 }
 
 Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const document::Document& document,

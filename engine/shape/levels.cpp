@@ -10,8 +10,6 @@
 namespace spineloft::shape {
 namespace {
 
-/// An outline of a second view may be this share longer or shorter than the first, or stand this much off it.
-constexpr double kMostOff = 0.25;
 /// Shares of the size: no width, and least half width or depth of a section.
 constexpr double kNoWidth = 1e-3, kLeastHalf = 2e-4;
 
@@ -102,23 +100,6 @@ Result<DrawnSection> drawnSection(const SeenOutline& outline, const AxisFrame& f
   section.ratio = depth / width;
   if (Status sound = sections::checkShape(section.shape); !sound.ok()) return sound.failure();
   return section;
-}
-
-/// Brings the second view's lines to the places of the first. Error: ShapeInvalid.
-Status fitPlaces(const SideLines& width, SideLines& depth) {
-  const double from = width.start(), to = width.end(), length = to - from, off = kMostOff * length;
-  const double longer = depth.length() / length - 1;
-  if (std::abs(longer) > kMostOff) {
-    return {Error::ShapeInvalid, "the side outline is " + std::to_string(std::lround(std::abs(longer) * 100)) + " % " +
-                                     (longer > 0 ? "longer" : "shorter") + " than the front one"};
-  }
-  if (std::abs(depth.start() - from) > off || std::abs(depth.end() - to) > off) {
-    return {Error::ShapeInvalid, "the side outline lies beside the front one: align the side picture"};
-  }
-  const double first = depth.start(), last = depth.end();
-  depth.low.stretch(first, last, from, to);
-  depth.high.stretch(first, last, from, to);
-  return Done{};
 }
 
 /// Shares at which sections stand, from 0 to 1: after equal ways of the line that goes farthest meanwhile, so that a
@@ -222,7 +203,7 @@ Result<Levels> levelsOf(const ShapeParams& params, std::span<const SeenOutline> 
         read(drawn.depth->lines, toLine(levels.frame, drawn.depth->view, Role::Depth), "the side outline");
     if (!side.ok()) return side.failure();
     depth = std::move(side).value();
-    if (Status fits = fitPlaces(width.value(), *depth); !fits.ok()) return fits.failure();
+    if (Status fits = depth->stretchTo(width.value().start(), width.value().end()); !fits.ok()) return fits.failure();
   }
   levels.section = params.section.value_or(sections::SectionShape(sectionOf(params.primitive)));
   double ratio = params.depth.ratio;

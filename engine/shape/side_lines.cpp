@@ -22,6 +22,8 @@ constexpr double kByLength = 0.05;
 /// axis has slips of the hand at most.
 constexpr std::array kTremor = {1.0 / 64, 1.0 / 32, 1.0 / 16};
 constexpr double kSlip = 0.015;
+/// An outline of a second view may be this share longer or shorter than the first, or stand this much off it.
+constexpr double kMostOff = 0.25;
 /// Corners turn by more than this (radians), seen on the line simplified by this share of its length along the axis.
 constexpr double kCorner = 0.45, kCornerSlack = 0.003;
 
@@ -132,6 +134,21 @@ double SideLines::widest() const {
   return most->x - least->x;
 }
 
+Status SideLines::stretchTo(double from, double to) {
+  const double height = to - from, off = kMostOff * height, first = start(), last = end();
+  const double longer = length() / height - 1;
+  if (std::abs(longer) > kMostOff) {
+    return {Error::ShapeInvalid, "the side outline is " + std::to_string(std::lround(std::abs(longer) * 100)) + " % " +
+                                     (longer > 0 ? "longer" : "shorter") + " than the front one"};
+  }
+  if (std::abs(first - from) > off || std::abs(last - to) > off) {
+    return {Error::ShapeInvalid, "the side outline lies beside the front one: align the side picture"};
+  }
+  low.stretch(first, last, from, to);
+  high.stretch(first, last, from, to);
+  return Done{};
+}
+
 Result<SideLines> sideLinesOf(std::vector<Line> lines, const std::string& name) {
   const bool closed = lines.size() == 1;
   for (Line& line : lines) {
@@ -161,7 +178,10 @@ Result<SideLines> sideLinesOf(std::vector<Line> lines, const std::string& name) 
     return isSimple(lines[0], lines[1]) || isSimple(plain(lines[0]), plain(lines[1]));
   };
   if (std::ranges::none_of(kTremor, evenOut)) {
-    return Failure{Error::ShapeInvalid, name + (closed ? " crosses itself" : ": its two lines cross")};
+    lines = drawn;  // evened out, the corners of a narrow end may cross
+    if (!isSimple(lines[0], lines[1])) {
+      return Failure{Error::ShapeInvalid, name + (closed ? " crosses itself" : ": its two lines cross")};
+    }
   }
   if (!(std::abs(geometry::signedArea(std::span<const SectionPoint>(outline))) >= geometry::kLeastRegionArea)) {
     return Error::RegionEmpty;

@@ -46,6 +46,9 @@ struct SideLines {
   double end() const { return (low.end() + high.end()) / 2; }
   double length() const { return end() - start(); }
   double widest() const;  ///< of x from end to end
+  /// Brings lines of a side view to the places [from, to] of the front. Error: ShapeInvalid (they are longer or shorter
+  /// by more than a quarter, or stand beside it by more than that).
+  Status stretchTo(double from, double to);
 };
 
 /// The two lines of an outline: one closed line, split where it reaches farthest along the axis, or two open ones in

@@ -39,7 +39,7 @@ void reportShape(const geometry::Contours& contours, const std::string& what, Re
   };
   for (const Size& size : {Size{4000, 21, "puff" + (what.empty() ? " of 400 px" : what) + ", 4000 points"},
                            Size{900, 51, "puff" + what + " under the pen, 900 points"}}) {
-    const document::InflateRecipe soft{region, {1, inflate::InflateSides::Both, size.points}};
+    const document::InflateRecipe soft{region, {1, inflate::InflateSides::Both, size.points}, {}};
     document::InflateRecipe round = soft, asMany = soft;
     round.inflate.profile.slices = {{sections::SectionPreset::Circle}};
     asMany.inflate.points = static_cast<int>(std::lround(size.points * pointsOf(round) / pointsOf(soft)));

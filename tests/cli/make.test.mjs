@@ -48,6 +48,31 @@ test('the ball from two circles is a ball of radius 80, whose silhouettes are th
   }
 });
 
+test('lofts and puffs of the guide have the outline that is drawn from the side', (t) => {
+  const folder = workFolder(t);
+  for (const [name, least] of [
+    ['puff-from-the-side', 0.985],
+    ['loft-from-the-side', 0.98],
+  ]) {
+    const file = fileURLToPath(new URL(`../../assets/docs/recipes/${name}.json`, import.meta.url));
+    const [part] = reportOf(folder, file, '--silhouettes', folder.path(name)).parts;
+    assert.ok(part.lawful && part.genus === 0 && part.shells === 1);
+    const [{ view, iou, mean }] = part.views;
+    assert.ok(view === 'right' && iou >= least && mean <= 3e-3, `${name}: ${iou}, ${mean}`);
+    assert.ok(existsSync(join(folder.path(name), 'side.png')));
+    // Without it the front is the same.
+    const recipe = readJson(file);
+    delete recipe.parts[0].recipe.side;
+    const [plain] = reportOf(folder, write(folder, 'plain.json', recipe), '--silhouettes', folder.path('plain')).parts;
+    assert.deepEqual(
+      [part.low, part.high].map((p) => p.slice(0, 2)),
+      [plain.low, plain.high].map((p) => p.slice(0, 2)),
+    );
+    const front = (where) => readFileSync(join(folder.path(where), 'front.png'));
+    assert.ok(front(name).equals(front('plain')));
+  }
+});
+
 test('a figure of ten shapes is a small document that comes back equal from a GLB and a project', (t) => {
   const folder = workFolder(t);
   const kinds = ['ball', 'egg', 'box', 'cylinder', 'capsule', 'cone', 'pyramid', 'half-ball', 'ball', 'box'];

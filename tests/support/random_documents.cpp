@@ -316,6 +316,13 @@ struct Make<SetOutlines> {
   }
 };
 template <>
+struct Make<SetSide> {
+  static SetSide from(Rng& rng, const Document& d) {
+    std::vector<Outline> outlines = anyOutlines(rng, d);
+    return {anyPart(rng, d), outlines.empty() ? std::nullopt : std::optional(std::move(outlines.front()))};
+  }
+};
+template <>
 struct Make<SetView> {
   static SetView from(Rng& rng, const Document& d) {
     if (rng.below(4) == 0) return {anyPicture(rng, d), std::nullopt};

@@ -77,6 +77,8 @@ void writeOpenings(JsonWriter& json, std::optional<document::OpeningSide> chosen
 Status checkMade(const CommandEnv& env, const document::ShapeRecipe& recipe);
 /// Other measures, and outlines that go with them. Changes with the same `burst` one after the other are one step.
 Outcome reshape(const CommandEnv& env, PartId part, const document::ShapeRecipe& recipe, std::string_view burst);
+/// Lines in a side picture become the side outline of a loft or a puff; refused before it is kept where that is none.
+Outcome setSide(const CommandEnv& env, PartId part, document::Outline drawn);
 /// The thing with these outlines becomes a new shape, or the outline of `part`, in the picture in view.
 Outcome shapeOfThing(const CommandEnv& env, PartId part, const geometry::Contours& contours);
 

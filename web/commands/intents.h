@@ -122,7 +122,7 @@ Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line,
 Outcome drawShape(const CommandEnv& env, const document::ShapeRecipe& recipe, bool lie);
 /// Other measures, and outlines that go with them.
 Outcome reshape(const CommandEnv& env, PartId part, const document::ShapeRecipe& recipe);
-/// A line drawn at its outline in the picture in view (see web/edit/shaping.h).
+/// A line drawn at its outline in the picture in view (see web/edit/shaping.h); of a loft or a puff its side outline.
 Outcome drawShapeLine(const CommandEnv& env, PartId part, const std::vector<PicturePoint>& line);
 /// A handle to a place of the picture in view.
 Outcome dragShape(const CommandEnv& env, PartId part, ShapeHold hold, PicturePoint to);

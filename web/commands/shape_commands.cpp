@@ -1,13 +1,17 @@
-// Commands about shapes and about pictures that are sides of others.
+// Commands about shapes, about pictures that are sides of others, and about the side outlines of lofts and puffs.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/document/checks.h"
+#include "engine/document/update.h"
 #include "engine/io/json_fields.h"
+#include "engine/mesh/laws.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
+#include "web/edit/section_editing.h"
 #include "web/edit/shaping.h"
 #include "web/model/messages.h"
 
@@ -113,6 +117,127 @@ Outcome setView(Env env, const Json& args) {
   return outcomeOf(env.studio.act(document::SetView{picture, document::PictureView{front->id, view}}));
 }
 
+bool takesSide(Env env) {
+  const document::Part* part = partOf(env, {});
+  return part != nullptr && document::sideOf(part->recipe) != nullptr;
+}
+bool hasSide(Env env) { return takesSide(env) && document::sideOf(partOf(env, {})->recipe)->has_value(); }
+constexpr Condition kTakesSide{takesSide, Condition::Part | Condition::Parts, Error::TakesNoSide};
+constexpr Condition kHasSide{hasSide, Condition::Part | Condition::Parts, Error::TakesNoSide};
+
+/// The picture that shows a part from the side: the one in view, else the first one.
+PictureId sidePictureOf(Env env, const document::Part& part) {
+  const document::Document& document = env.studio.document();
+  if (isSeenAside(document, part, env.ui.picture)) return env.ui.picture;
+  const auto at = std::ranges::find_if(
+      document.pictures, [&](const document::PictureEntry& entry) { return isSeenAside(document, part, entry.id); });
+  return at == document.pictures.end() ? PictureId{} : (*at)->id;
+}
+
+/// Every outline that stands in a picture but those of `but`: of what was cut out or drawn on it, and of what is seen
+/// there from a side.
+std::vector<Lines> outlinesIn(const document::Document& document, PictureId picture, PartId but) {
+  std::vector<Lines> all;
+  for (const document::Part& part : document.parts) {
+    if (part.id == but) continue;
+    const document::Region* region = document::regionOf(part.recipe);
+    if (region != nullptr && region->picture == picture && !region->isOfLines()) {
+      for (const auto& contour : region->contours) all.push_back({contour});
+    }
+    for (const document::Outline* outline : document::outlinesOf(part.recipe)) {
+      if (outline->picture == picture) all.push_back(outline->lines);
+    }
+  }
+  return all;
+}
+
+/// The one whose rows are nearest to those of the part, seen in the view. None: there is no outline.
+std::optional<Lines> nearestOutline(const std::vector<Lines>& all, const pipeline::PartShape& shape,
+                                    const geometry::View& view) {
+  const mesh::Bounds bounds = mesh::boundsOf(shape.mesh);
+  const auto off = [&](const Lines& lines) {
+    std::vector<double> rows;
+    for (const auto& line : lines) {
+      for (const PicturePoint p : line) rows.push_back(geometry::inModel(view, p).y);
+    }
+    const auto [low, high] = std::ranges::minmax(rows);
+    return std::abs(low - bounds.low[1]) + std::abs(high - bounds.high[1]);
+  };
+  const auto nearest = std::ranges::min_element(all, {}, off);
+  return nearest == all.end() ? std::nullopt : std::optional(*nearest);
+}
+
+/// Adds what gives a part of `next` this side outline, and does it there. Errors: as of sideStage, and Cancelled where
+/// the part has no solid.
+Status addSide(Env env, PartId id, document::Outline drawn, document::Document& next,
+               std::vector<document::Action>& actions) {
+  const document::Part& part = *document::findPart(next, id);
+  if (document::sideOf(part.recipe) == nullptr) return Error::TakesNoSide;
+  if (!isSeenAside(next, part, drawn.picture)) return Error::ViewInvalid;
+  const pipeline::PartShape* shape = shapeOf(env.studio.document(), env.studio.derived(), id);
+  if (shape == nullptr) return Error::Cancelled;
+  DrawnSide side = withSide(next, part, *shape, std::move(drawn));
+  std::vector<document::Action> own;
+  if (side.view) {
+    own.push_back(document::SetView{side.side.picture, document::PictureView{document::pictureOf(part), *side.view}});
+  }
+  own.push_back(document::SetSide{id, std::move(side.side)});
+  for (const document::Action& action : own) {
+    Result<document::Document> changed = document::update(next, action);
+    if (!changed) return changed.failure();
+    next = std::move(changed).value();
+    actions.push_back(action);
+  }
+  pipeline::PartShape made = *shape;
+  return pipeline::sideStage(document::findPart(next, id)->recipe, next, made);
+}
+
+Outcome refuseSide(const Failure& failure) {
+  if (failure.error == Error::Cancelled)
+    return Refusal{"NotNow", "This part has no solid now. Give it back its own depth."};
+  return refuse(failure);
+}
+
+Outcome fitSide(Env env, const Json& args) {
+  const std::vector<PartId> parts = partsFrom(env, args);
+  if (parts.empty()) return noPart();
+  const auto given = linesFrom(args);
+  if (!given) return missingLines();
+  document::Document next = env.studio.document();
+  std::vector<document::Action> actions;
+  for (const PartId id : parts) {
+    const document::Part& part = *document::findPart(next, id);
+    if (document::sideOf(part.recipe) == nullptr) return refuse({Error::TakesNoSide, {}});
+    const PictureId picture = pictureFrom(args, "picture", sidePictureOf(env, part));
+    if (!picture) {
+      return Refusal{"NotNow", "No picture shows this part from the side. Open one and say from where it looks."};
+    }
+    Lines lines = *given;
+    const pipeline::PartShape* shape = shapeOf(env.studio.document(), env.studio.derived(), id);
+    if (lines.empty() && shape != nullptr && isSeenAside(next, part, picture)) {
+      const auto view = document::viewOn(next, picture, document::pictureOf(part));
+      const auto drawn = nearestOutline(outlinesIn(next, picture, id), *shape, *view.value());
+      if (!drawn) {
+        return Refusal{"NotNow", "Nothing is drawn in the side picture. Draw round the thing there, or cut it out."};
+      }
+      lines = *drawn;
+    }
+    if (Status added = addSide(env, id, {picture, lines}, next, actions); !added) return refuseSide(added.failure());
+  }
+  return outcomeOf(env.studio.act(actions));
+}
+
+/// The depth of the parts is their own again.
+Outcome plainSide(Env env, const Json& args) {
+  const std::vector<PartId> parts = partsFrom(env, args);
+  if (parts.empty()) return noPart();
+  return setOnAll(env, parts, [](const document::Part& part) -> std::optional<document::Action> {
+    const std::optional<document::Outline>* side = document::sideOf(part.recipe);
+    if (side == nullptr || !*side) return std::nullopt;
+    return document::SetSide{part.id, std::nullopt};
+  });
+}
+
 constexpr Argument kKind{"kind"}, kLine{"line"}, kOf{"of"};
 
 // clang-format off
@@ -123,10 +248,24 @@ constexpr std::array kTable = {
             .argument = kLine, .hint = "A line in picture pixels", .enabled = kHasShape, .run = shapeOutline},
     Command{.id = "set-view", .label = "Side picture by numbers", .icon = "move", .group = "part", .argument = kOf,
             .hint = "Which picture shows another one from a side", .enabled = hasPicture, .run = setView},
+    Command{.id = "fit-side", .label = "Fit to the side", .icon = "columns-2", .group = "part",
+            .hint = "As deep as the outline in the side picture", .enabled = kTakesSide, .run = fitSide},
+    Command{.id = "plain-side", .label = "Depth as it was", .icon = "rotate-ccw", .group = "part",
+            .hint = "The outline from the side goes", .enabled = kHasSide, .run = plainSide},
 };
 // clang-format on
 
 }  // namespace
+
+Outcome setSide(Env env, PartId id, document::Outline drawn) {
+  if (document::findPart(env.studio.document(), id) == nullptr) return noPart();
+  document::Document next = env.studio.document();
+  std::vector<document::Action> actions;
+  if (Status added = addSide(env, id, std::move(drawn), next, actions); !added) return refuseSide(added.failure());
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  sendStatus(env.host, "The part has this side now.");
+  return {};
+}
 
 Status checkMade(Env env, const document::ShapeRecipe& recipe) {
   const document::Document& document = env.studio.document();

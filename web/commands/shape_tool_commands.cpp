@@ -5,8 +5,10 @@
 #include <span>
 #include <string>
 
+#include "engine/geometry/bounds.h"
 #include "engine/geometry/polygon.h"
 #include "engine/io/json_fields.h"
+#include "engine/shape/reshape.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
@@ -134,12 +136,29 @@ void sideChoices(Env env, JsonWriter& json) {
 void dropOutlines(const document::Document& document, PictureId picture, std::vector<document::Action>& actions) {
   for (const document::Part& part : document.parts) {
     const document::ShapeRecipe* shape = document::shapeOf(part);
+    const std::optional<document::Outline>* side = document::sideOf(part.recipe);
+    if (side != nullptr && *side && (*side)->picture == picture) {
+      actions.push_back(document::SetSide{part.id, std::nullopt});
+    }
     if (shape == nullptr || shape->picture == picture) continue;
     std::vector<document::Outline> kept = shape->outlines;
     if (std::erase_if(kept, [&](const document::Outline& outline) { return outline.picture == picture; }) == 0)
       continue;
     actions.push_back(document::SetOutlines{part.id, std::move(kept)});
   }
+}
+
+/// The side outline of a loft or a puff after a line was drawn at it, as of a shape; before there is one the line
+/// itself.
+std::vector<PicturePoint> sideOfLine(Env env, const document::Part& part, const std::vector<PicturePoint>& line) {
+  const std::optional<document::Outline>& side = *document::sideOf(part.recipe);
+  if (side && side->picture == env.ui.picture && side->lines.size() == 1) {
+    return shape::redrawn(side->lines.front(), line);
+  }
+  const geometry::Bounds<PicturePoint> box = geometry::boundsOf(std::span<const PicturePoint>(line));
+  const std::vector<PicturePoint> round{
+      box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};  // as large as the outline will be
+  return shape::isWhole(round, line) ? shape::redrawn(round, line) : line;
 }
 
 constexpr Argument kBy{"by"};
@@ -174,6 +193,10 @@ constexpr std::array kTable = {
 
 Outcome drawShapeLine(Env env, PartId id, const std::vector<PicturePoint>& line) {
   const document::Document& document = env.studio.document();
+  const document::Part* part = document::findPart(document, id);
+  if (part != nullptr && document::sideOf(part->recipe) != nullptr) {
+    return setSide(env, id, {env.ui.picture, {sideOfLine(env, *part, line)}});
+  }
   const auto seen = seenShape(document, id, env.ui.picture);
   if (!seen) return refuse({Error::NotAShape, {}});
   const Status made = checkMade(env, previewOfLine(document, *seen, line));

@@ -204,6 +204,12 @@ void writeBoneHandles(JsonWriter& json, const CommandEnv& env) {
   json.endArray();
 }
 
+void writeOutline(JsonWriter& json, const document::Outline& outline) {
+  json.beginObject().key("picture").number(outline.picture.value).key("lines").beginArray();
+  for (const auto& line : outline.lines) writeLine(json, line);
+  json.endArray().endObject();
+}
+
 /// Of a shape: what it is before an outline says more, picture pixels, and its outlines.
 void writeShape(JsonWriter& json, const document::Part& part) {
   json.key("shape");
@@ -217,11 +223,7 @@ void writeShape(JsonWriter& json, const document::Part& part) {
   writeLine(json, "axis", std::array{shape.axis.from, shape.axis.to});
   json.key("width").number(shape.width).key("depth").text(io::keyOf(shape.depth.mode));
   json.key("ratio").number(shape.depth.ratio).key("outlines").beginArray();
-  for (const document::Outline& outline : recipe->outlines) {
-    json.beginObject().key("picture").number(outline.picture.value).key("lines").beginArray();
-    for (const auto& line : outline.lines) writeLine(json, line);
-    json.endArray().endObject();
-  }
+  for (const document::Outline& outline : recipe->outlines) writeOutline(json, outline);
   json.endArray().endObject();
 }
 
@@ -374,6 +376,9 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   writeRegion(json, part, derived.shape.get());
   writeBones(json, bonedPuff(part, derived.shape.get()));
   writeShape(json, part);
+  const std::optional<document::Outline>* side = document::sideOf(part.recipe);
+  json.key("side");
+  side != nullptr && *side ? writeOutline(json, **side) : static_cast<void>(json.null());
   writeParameters(json, part);
   json.key("triangles");
   json.number(derived.shape ? static_cast<double>(derived.shape->mesh.triangles.size()) : 0);

@@ -12,6 +12,7 @@
 #include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
+#include "engine/mesh/laws.h"
 #include "engine/shape/reshape.h"
 #include "web/edit/preview.h"
 #include "web/words/words.h"
@@ -110,15 +111,17 @@ void deepen(const SeenShape& seen, document::ShapeRecipe& recipe, PicturePoint f
   }
 }
 
-/// The picture's view is the one that it got unseen, and nothing is drawn by it.
-bool isUnaligned(const document::Document& document, const SeenShape& seen) {
-  const document::PictureEntry* side = document::findPicture(document, seen.picture);
-  const document::PictureEntry* front = document::findPicture(document, seen.recipe.picture);
-  if (!seen.view || side == nullptr || front == nullptr) return false;
-  if (!(*seen.view == plainView(seen.view->from, front->size, side->size))) return false;
+/// The picture's view is the one that it got unseen, and no outline is drawn by it.
+bool isUnaligned(const document::Document& document, PictureId picture) {
+  const document::PictureEntry* side = document::findPicture(document, picture);
+  if (side == nullptr || !side->view) return false;
+  const document::PictureEntry* front = document::findPicture(document, side->view->of);
+  const geometry::View& view = side->view->view;
+  if (front == nullptr || !(view == plainView(view.from, front->size, side->size))) return false;
   return std::ranges::none_of(document.parts, [&](const document::Part& part) {
-    const document::ShapeRecipe* shape = document::shapeOf(part);
-    return shape && std::ranges::count(shape->outlines, seen.picture, &document::Outline::picture) > 0;
+    return pictureOf(part) != picture &&
+           std::ranges::any_of(document::outlinesOf(part.recipe),
+                               [&](const document::Outline* outline) { return outline->picture == picture; });
   });
 }
 
@@ -155,9 +158,41 @@ std::optional<SeenShape> shapeShown(const document::Document& document, const Ui
 
 const document::Part* shapeElsewhere(const document::Document& document, const UiState& ui) {
   const document::Part* part = document::findPart(document, ui.selection);
-  const bool elsewhere = ui.tool == ToolKind::Primitive && part != nullptr && document::shapeOf(*part) != nullptr &&
+  const bool elsewhere = ui.tool == ToolKind::Primitive && part != nullptr &&
+                         (document::shapeOf(*part) != nullptr || document::sideOf(part->recipe) != nullptr) &&
                          document::pictureOf(*part) != ui.picture;
   return elsewhere ? part : nullptr;
+}
+
+bool isSeenAside(const document::Document& document, const document::Part& part, PictureId picture) {
+  using geometry::ViewFrom;
+  if (document::sideOf(part.recipe) == nullptr) return false;
+  const auto view = document::viewOn(document, picture, document::pictureOf(part));
+  return view.ok() && view.value() && (view.value()->from == ViewFrom::Right || view.value()->from == ViewFrom::Left);
+}
+
+const document::Part* partAside(const document::Document& document, const UiState& ui) {
+  const document::Part* part = shapeElsewhere(document, ui);
+  return part && isSeenAside(document, *part, ui.picture) ? part : nullptr;
+}
+
+DrawnSide withSide(const document::Document& document, const document::Part& part, const pipeline::PartShape& shape,
+                   document::Outline drawn) {
+  DrawnSide side{std::move(drawn), std::nullopt};
+  const auto view = document::viewOn(document, side.side.picture, document::pictureOf(part));
+  if (!view.ok() || !view.value() || side.side.lines.size() != 1) return side;
+  std::vector<PicturePoint>& line = side.side.lines.front();
+  if (line.size() < 3) return side;
+  const mesh::Bounds bounds = mesh::boundsOf(shape.mesh);
+  const PicturePoint low{bounds.low[0], -bounds.high[1]}, high{bounds.high[0], -bounds.low[1]};
+  const double size = std::max(high.x - low.x, high.y - low.y) / view.value()->scale, slack = kFitSlack * size;
+  line.push_back(line.front());
+  line = geometry::simplifiedLine(std::span<const PicturePoint>(line), std::max(0.5, slack));
+  line.pop_back();
+  if (isUnaligned(document, side.side.picture)) {
+    side.view = shape::alignedView(view.value()->from, line, {low, {high.x, low.y}, high, {low.x, high.y}});
+  }
+  return side;
 }
 
 std::string_view holdKey(ShapeHold hold) {
@@ -245,7 +280,7 @@ std::optional<document::ShapeRecipe> draggedShape(const document::Document& docu
 DrawnShape withLine(const document::Document& document, const SeenShape& seen, const std::vector<PicturePoint>& line) {
   DrawnShape drawn{seen.recipe, std::nullopt};
   std::vector<PicturePoint> outline = shape::redrawn(seen.outline, line);
-  if (isUnaligned(document, seen) && shape::isWhole(seen.outline, line)) {
+  if (isUnaligned(document, seen.picture) && shape::isWhole(seen.outline, line)) {
     const auto front = pipeline::outlineIn(seen.recipe, document, seen.recipe.picture);
     if (front.ok()) drawn.view = shape::alignedView(seen.view->from, outline, front.value());
   }

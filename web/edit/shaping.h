@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/document/document.h"
+#include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/shape_outline.h"
 #include "engine/shape/ready_shapes.h"
 #include "engine/shape/shape.h"
@@ -31,8 +32,22 @@ std::optional<SeenShape> seenShape(const document::Document& document, PartId pa
 std::optional<SeenShape> shapeInHand(const document::Document& document, const UiState& ui);
 /// The same as the gesture in hand would make it.
 std::optional<SeenShape> shapeShown(const document::Document& document, const UiState& ui);
-/// The selected shape, while the tool is in hand, whose own picture is another one than that in view; else null.
+/// The selected shape, loft or puff, while the tool is in hand, whose own picture is another one than that in view;
+/// else null.
 const document::Part* shapeElsewhere(const document::Document& document, const UiState& ui);
+
+/// Whether a picture shows a loft or a puff from the right or the left, so that a line in it can be its side outline.
+bool isSeenAside(const document::Document& document, const document::Part& part, PictureId picture);
+/// The selected one, while the tool is in hand, in the picture in view; else null.
+const document::Part* partAside(const document::Document& document, const UiState& ui);
+/// The side outline that it gets from lines in such a picture: one closed line, or two open ones.
+struct DrawnSide {
+  document::Outline side;
+  std::optional<geometry::View> view;  ///< as of DrawnShape
+};
+/// `shape`: as the part is derived.
+DrawnSide withSide(const document::Document& document, const document::Part& part, const pipeline::PartShape& shape,
+                   document::Outline drawn);
 
 enum class ShapeHold : std::uint8_t {
   From,  ///< the end of the axis where it begins

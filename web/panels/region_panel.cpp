@@ -146,6 +146,9 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
     commandTile(env, tiles[i], {each, height});
   }
   if (const document::InflateRecipe* puff = document::inflateOf(part)) profileTiles(env, *puff, width);
+  if (document::sideOf(part.recipe) && app::enabled(app::commandOf("plain-side"), env.env)) {
+    wordButton(env, {"plain-side", width, buttonSide(env), kAccent});
+  }
   if (const document::ShapeRecipe* shape = document::shapeOf(part)) {
     const int columns = env.ui().layout.strip ? 8 : 4;
     const float side = (width - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);

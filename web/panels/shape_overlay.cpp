@@ -150,6 +150,12 @@ void drawShapes(const PanelEnv& env) {
     axis(list, ui, fresh->shape.axis);
     return;
   }
+  if (const document::Part* aside = app::partAside(env.document(), ui)) {
+    const auto& side = *document::sideOf(aside->recipe);
+    if (!side || side->picture != ui.picture) return;
+    for (const auto& line : side->lines) outline(list, ui, line, false);
+    return;
+  }
   const auto seen = app::shapeShown(env.document(), ui);
   if (!seen) return;
   // The first line in a side picture may align it: what the view shows now is not where the line puts the shape.

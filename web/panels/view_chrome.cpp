@@ -11,6 +11,7 @@
 
 #include "web/edit/editing.h"
 #include "web/edit/line_drawing.h"
+#include "web/edit/shaping.h"
 #include "web/panels/bar_menu.h"
 #include "web/panels/draw_lines.h"
 #include "web/panels/picture_strip.h"
@@ -230,6 +231,9 @@ constexpr double kPillRoom = 200, kShapeRoom = 300;
 const char* shapeHint(const PanelEnv& env) {
   const document::Part* part = env.selected();
   const document::ShapeRecipe* shape = part ? document::shapeOf(*part) : nullptr;
+  if (const document::Part* aside = app::partAside(env.document(), env.ui())) {
+    return *document::sideOf(aside->recipe) ? "" : "Draw round the part as it is seen here";
+  }
   if (shape == nullptr) return "Drag the shape from one end to the other, or tap a thing";
   const auto view = document::viewOn(env.document(), env.ui().picture, shape->picture);
   if (!view.ok()) return "Say above from where this picture looks";

@@ -161,6 +161,8 @@ export interface Part {
   bones: PuffBones | null;
   /** Of a shape. */
   shape: ShapeInfo | null;
+  /** Of a loft or a puff whose depth an outline in a side picture says; pixels of that picture. */
+  side: { picture: number; lines: PicturePoint[][] } | null;
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */

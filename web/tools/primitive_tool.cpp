@@ -32,6 +32,7 @@ void PrimitiveTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInPicture(env, event);
   env.ui.hover = under;
   seen_ = app::shapeInHand(env.document, env.ui);
+  if (const document::Part* aside = app::partAside(env.document, env.ui); aside && !seen_) aside_ = aside->id;
   if (!seen_) return;
   outline_ = begunAtOutline_ = under.outlineOfShape;
   held_ = under.shape;
@@ -80,6 +81,11 @@ void PrimitiveTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved()) return;
   if (handle_) return drag(env, event.at);
   if (!longer) return;
+  if (aside_) {
+    outline_ = true;
+    env.ui.inHand.stroke = line_;
+    return;
+  }
   outline_ = begunAtOutline_ || (seen_ && goesRound());
   if (outline_) {
     draw(env);
@@ -96,7 +102,7 @@ void PrimitiveTool::tap(const ToolEnv& env) const {
   } else if (under) {
     env.sink.run(app::selectPart, under, false);
   } else {
-    env.sink.run(app::fitShape, p, seen_ && seen_->view ? env.ui.selection : PartId{});
+    env.sink.run(app::fitShape, p, aside_ || (seen_ && seen_->view) ? env.ui.selection : PartId{});
   }
 }
 

@@ -1,6 +1,6 @@
 // Shapes on the picture: a drag makes one from one end of its axis to the other, a drag of a handle changes the one in
 // hand, a line that begins at its outline or goes round it redraws that; a tap fits one to a thing. The solid follows
-// the pen.
+// the pen. In a side picture of a loft or a puff in hand a line or a tap is its side outline.
 #pragma once
 
 #include <optional>
@@ -26,6 +26,7 @@ class PrimitiveTool final : public Tool {
   void tap(const ToolEnv& env) const;
   DragWatch watch_;
   std::optional<app::SeenShape> seen_;  ///< in hand when the press came
+  PartId aside_;                        ///< else the loft or puff that the picture shows from the side
   std::optional<app::ShapeHandle> handle_;
   int held_ = -1;         ///< of shapeHandles
   bool outline_ = false;  ///< the line is for its outline

@@ -69,6 +69,39 @@ TEST_CASE("a shape keeps what was drawn, and refuses what is none") {
   CHECK(errorOf(loft, SetOutlines{loft.parts.back()->id, {}}) == Error::NotAShape);
 }
 
+TEST_CASE("lofts and puffs keep an outline from the right or the left, and no other") {
+  const Region square{kFront, {{{30, 10}, {90, 10}, {90, 70}, {30, 70}}}};
+  const Document document = after(threeSheets(), {SetView{kSide, kRight}, DrawSpine{kFront, {{60, 10}, {60, 70}}},
+                                                  DrawRegion{square, inflate::InflateParams{}}});
+  for (const Part& part : document.parts) {
+    const Document sided = after(document, {SetSide{part.id, triangle(kSide)}});
+    const auto side = [&](const Document& d) { return *sideOf(findPart(d, part.id)->recipe); };
+    CHECK(side(sided) == triangle(kSide));
+    CHECK(after(sided, {SetSide{part.id, std::nullopt}}).parts == document.parts);
+    CHECK(errorOf(document, SetSide{part.id, triangle(kFront)}) == Error::ViewInvalid);
+    CHECK(errorOf(document, SetSide{part.id, triangle(kOther)}) == Error::ViewInvalid);
+    CHECK(errorOf(document, SetSide{part.id, Outline{kSide, {}}}) == Error::ShapeInvalid);
+    CHECK(errorOf(document, SetSide{part.id, Outline{kSide, {{{std::nan(""), 1}, {2, 2}}}}}) == Error::StrokeNotFinite);
+    CHECK_FALSE(side(after(sided, {SetView{kSide, std::nullopt}})));
+    CHECK_FALSE(side(after(sided, {SetView{kSide, PictureView{kFront, {geometry::ViewFrom::Top, 60, 1, 0}}}})));
+    CHECK_FALSE(side(after(sided, {RemovePicture{kSide}})));
+    CHECK(side(after(sided, {SetView{kSide, PictureView{kFront, {geometry::ViewFrom::Left, 50, 1, 0}}}})));
+    Document renumbered = after(sided, {RemovePicture{kOther}});
+    renumber(renumbered);
+    CHECK(side(renumbered) == triangle(kSide));
+  }
+  const PartId puff = document.parts.back()->id;
+  const Document sided = after(document, {SetSide{puff, triangle(kSide)}});
+  inflate::InflateParams thick;
+  thick.height = 2;
+  // A puff that stays one keeps it; what is something else has none.
+  CHECK(inflateOf(*after(sided, {ShapeRegion{puff, thick}}).parts.back())->side == triangle(kSide));
+  CHECK(inflateOf(*after(sided, {RedrawRegion{puff, square}}).parts.back())->side == triangle(kSide));
+  const Document flat = after(sided, {ShapeRegion{puff, extrude::ExtrudeParams{}}});
+  CHECK(sideOf(flat.parts.back()->recipe) == nullptr);
+  CHECK(errorOf(flat, SetSide{puff, triangle(kSide)}) == Error::TakesNoSide);
+}
+
 TEST_CASE("outlines go with the view that they are drawn in") {
   const Document document = after(threeSheets(), {SetView{kSide, kRight}, SetView{kOther, kRight},
                                                   DrawShape{kFront, {}, {triangle(kFront), triangle(kSide)}}});

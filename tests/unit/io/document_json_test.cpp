@@ -259,9 +259,7 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
       lift(part.group);
       if (ElementRecipe* element = elementOf(part)) lift(element->drawing);
       setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
-      if (ShapeRecipe* shape = shapeOf(part)) {
-        for (Outline& outline : shape->outlines) lift(outline.picture);
-      }
+      for (Outline* outline : outlinesOf(part.recipe)) lift(outline->picture);
     });
     each(large.steps, [&](Step& step) {
       lift(step.id);

@@ -174,8 +174,8 @@ TEST_CASE("the golden document with outlines of ends reads as what was written")
 
 TEST_CASE("the golden document with regions reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-regions.json");
-  const document::InflateRecipe belly{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0},
-                                      {1.5, inflate::InflateSides::Front, 400}};
+  const document::InflateRecipe belly{
+      {PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {1.5, inflate::InflateSides::Front, 400}, {}};
   const document::ExtrudeRecipe ear{{PictureId{1}, {{{20, 20}, {60, 24.5}}}, 6},
                                     {0.08, extrude::EdgeKind::Bevel, 0.25, -0.125}};
   REQUIRE(read.parts.size() == 2);
@@ -186,7 +186,7 @@ TEST_CASE("the golden document with regions reads as what was written") {
 TEST_CASE("the golden document with puffs of a slice reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-puffs.json");
   const document::Region region{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0};
-  document::InflateRecipe coin{region, {0.5, inflate::InflateSides::Front, 400}}, bowl{region, {}};
+  document::InflateRecipe coin{region, {0.5, inflate::InflateSides::Front, 400}, {}}, bowl{region, {}, {}};
   coin.inflate.profile = {{{sections::SectionPreset::Square}}, 0.25};
   sections::SectionShape drawn;
   drawn.contours = {{{-1, -0.5}, {1, -0.5}, {1, 0.25}, {-1, 0.25}}, {{-0.5, -0.25}, {0.5, -0.25}, {0.5, 0}, {-0.5, 0}}};
@@ -198,7 +198,7 @@ TEST_CASE("the golden document with puffs of a slice reads as what was written")
 
 TEST_CASE("the golden document with bones changed by hand reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-bones.json");
-  document::InflateRecipe hand{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {}};
+  document::InflateRecipe hand{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {}, {}};
   hand.inflate.profile.slices = {{{sections::SectionPreset::Circle}}};
   hand.inflate.bones = {0.75,
                         {{30, 40}, {50, 42.5}},
@@ -211,7 +211,7 @@ TEST_CASE("the golden document with bones changed by hand reads as what was writ
 
 TEST_CASE("the golden document with slices at places reads as what was written") {
   const document::Document read = readWhole("golden/document-v2-slices.json");
-  document::InflateRecipe leaf{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {}};
+  document::InflateRecipe leaf{{PictureId{1}, {{{20, 20}, {60.5, 20}, {60, 60}, {20, 60}}}, 0}, {}, {}};
   sections::SectionShape roof;
   roof.contours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   leaf.inflate.profile.slices = {{sections::SectionPreset::Circle}, {roof, PicturePoint{30, 40.5}}};
@@ -296,6 +296,20 @@ TEST_CASE("the golden document with shapes and a side picture reads as what was 
   CHECK(read.parts[1]->recipe == document::Recipe(document::ShapeRecipe{PictureId{1}, {}, {}}));
   REQUIRE(read.pictures.size() == 2);
   CHECK(read.pictures[1]->view == document::PictureView{PictureId{1}, {geometry::ViewFrom::Left, 30.5, 1.25, -2}});
+}
+
+TEST_CASE("the golden document with sides of a puff and a loft reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-sides.json");
+  REQUIRE(read.parts.size() == 2);
+  const document::InflateRecipe head{{PictureId{1}, {{{40, 10}, {80, 10}, {80, 70}, {40, 70}}}},
+                                     {},
+                                     document::Outline{PictureId{2}, {{{30, 10}, {44.5, 40}, {30, 70}, {18, 40}}}}};
+  CHECK(read.parts[0]->recipe == document::Recipe(head));
+  document::LoftRecipe leg;
+  leg.picture = PictureId{1};
+  leg.stroke = {{100, 10}, {100, 70}};
+  leg.side = document::Outline{PictureId{2}, {{{20, 10}, {22, 70}}, {{40, 10}, {41, 70}}}};
+  CHECK(read.parts[1]->recipe == document::Recipe(leg));
 }
 
 TEST_CASE("the golden document with a line drawing reads as what was written") {

@@ -179,6 +179,49 @@ TEST_CASE("the key of a shape follows everything that it is made of, and its sha
   CHECK(shaped->mesh == shape::makeShape({}, outlines, {192, 144}).value().mesh);
 }
 
+TEST_CASE("the side of a puff is part of its key, and removing it gives the same mesh again") {
+  Document document = update(ellipseDocument(), AddSketch{"side", {192, 144}}).value();
+  document =
+      update(document, SetView{PictureId{2}, PictureView{PictureId{1}, {geometry::ViewFrom::Right, 96, 1, 0}}}).value();
+  const Region region{PictureId{1}, {{{96, 20}, {140, 80}, {96, 130}, {50, 80}}}};
+  document = update(document, DrawRegion{region, inflate::InflateParams{}}).value();
+  const PartId id = document.parts.back()->id;
+  const Outline drawn{PictureId{2}, {{{96, 20}, {106, 80}, {96, 130}, {66, 80}}}};
+  const Document sided = update(document, SetSide{id, drawn}).value();
+  const auto keyOf = [](const Document& d) { return shapeKey(*d.parts.back(), *d.pictures.front(), d); };
+  CHECK(keyOf(sided) != keyOf(document));
+  CHECK(keyOf(update(sided, SetSide{id, std::nullopt}).value()) == keyOf(document));
+  Outline other = drawn;
+  other.lines[0][1].x += 1e-9;
+  CHECK(keyOf(update(sided, SetSide{id, other}).value()) != keyOf(sided));
+  const PictureView left{PictureId{1}, {geometry::ViewFrom::Left, 96, 1, 0}};
+  CHECK(keyOf(update(sided, SetView{PictureId{2}, left}).value()) != keyOf(sided));
+
+  const auto made = [](const Document& d) {
+    Cache cache;
+    const auto derived = deriveWithEdges(d, cache, Progress());
+    REQUIRE(derived.ok());
+    const auto& shape = derived.value().parts.back().shape;
+    REQUIRE(shape != nullptr);
+    testing::requireLawful(shape->mesh);
+    return shape->mesh;
+  };
+  const mesh::TriMesh plain = made(document), deep = made(sided);
+  CHECK_FALSE(deep == plain);
+  CHECK(made(update(sided, SetSide{id, std::nullopt}).value()) == plain);
+  CHECK(mesh::boundsOf(deep).high[2] == doctest::Approx(30).epsilon(0.02));
+  CHECK(mesh::boundsOf(deep).low[2] == doctest::Approx(-10).epsilon(0.02));
+  // An outline of another height leaves a part without a shape, and says why.
+  Outline tall = drawn;
+  tall.lines[0][2].y = 142;
+  tall.lines[0][0].y = 0;
+  Cache cache;
+  const auto failed = deriveWithEdges(update(sided, SetSide{id, tall}).value(), cache, Progress());
+  REQUIRE(failed.ok());
+  REQUIRE(failed.value().parts.back().failure);
+  CHECK(failed.value().parts.back().failure->error == Error::ShapeInvalid);
+}
+
 TEST_CASE("the key of a stack follows everything that it is made of, and its shape comes from the planes alone") {
   stack::Plane foot;
   foot.curves = {{{{20, 0}, {0, 20}, {-20, 0}, {0, -20}}, {}}};
@@ -227,7 +270,7 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
 TEST_CASE("while the slice of a puff is dragged its skeleton and fields are those that are known") {
   Document document = ellipseDocument();
   const Region region{PictureId{1}, {{{40, 40}, {150, 40}, {150, 100}, {40, 100}}}, 0};
-  InflateRecipe puff{region, {}};
+  InflateRecipe puff{region, {}, {}};
   puff.inflate.points = 2500;
   sections::SectionShape slice;
   slice.contours = {{{-1, 0}, {0, -0.6}, {1, 0}, {0, 0.6}}};

@@ -300,6 +300,44 @@ TEST_CASE("a tap on a thing fits the shape to it, in one step") {
   CHECK(*rig.state().find("parts")->array()->back().find("shape")->text("kind") == "box");
 }
 
+TEST_CASE("a line round a puff or a loft in its side picture is its side, and aligns the picture") {
+  for (const char* part :
+       {R"({"line": [[150, 60], [250, 60], [250, 240], [150, 240], [150, 60]]})", R"([[200, 60], [200, 240]])"}) {
+    const bool puff = part[0] == '{';
+    Shapes rig;
+    REQUIRE(rig.works(puff ? "draw-puff" : "draw-spine", puff ? part : "{\"stroke\": " + std::string(part) + "}"));
+    REQUIRE(rig.works("new-sketch", R"({"width": 200, "height": 200})"));
+    REQUIRE(rig.works("select-picture", R"({"picture": 1})"));
+    REQUIRE(rig.works("select-part", R"({"id": 1})"));
+    REQUIRE(rig.works("shapes"));
+    REQUIRE(rig.works("select-picture", R"({"picture": 2})"));
+    REQUIRE(rig.works("side-picture", R"({"from": "right"})"));
+    const auto side = [&] { return *rig.state().find("parts")->array()->back().find("side"); };
+    CHECK(side().isNull());
+    const double undo = rig.undoSteps();
+    rig.draw(ellipse({120, 110}, 20, 45));
+    CHECK(rig.parts() == 1);
+    CHECK(rig.undoSteps() == undo + 1);
+    REQUIRE_FALSE(side().isNull());
+    CHECK(*side().number("picture") == 2);
+    const geometry::View view = *rig.viewOf(1);
+    CHECK(view.middle == doctest::Approx(120).epsilon(0.02));
+    if (puff) CHECK(view.scale == doctest::Approx(2).epsilon(0.02));
+    const auto left = [&] {
+      double least = 200;
+      for (const PicturePoint p : Shapes::lineFrom((*side().find("lines")->array())[0])) least = std::min(least, p.x);
+      return least;
+    };
+    CHECK(left() == doctest::Approx(100).epsilon(0.01));
+    // One more line at it takes the place of the stretch beside it.
+    rig.draw({{120, 66}, {90, 110}, {120, 154}});
+    CHECK(rig.undoSteps() == undo + 2);
+    CHECK(left() == doctest::Approx(90).epsilon(0.01));
+    REQUIRE(rig.works("plain-side"));
+    CHECK(side().isNull());
+  }
+}
+
 TEST_CASE("a picture becomes the side, and the first outline drawn there aligns it") {
   for (const platform::Device device : kDevices) {
     Shapes rig;

@@ -115,6 +115,51 @@ TEST_CASE("a picture becomes the side of another one, whose outlines then count"
   }
 }
 
+TEST_CASE("puffs and lofts are fitted to the side, undone and done again, and get their own depth back") {
+  std::string kept;
+  {
+    TwoSheets rig;
+    REQUIRE(works(rig, "select-picture", R"({"picture": 1})"));
+    REQUIRE(
+        works(rig, "draw-puff", R"({"picture": 1, "line": [[60, 40], [140, 40], [140, 160], [60, 160], [60, 40]]})"));
+    const auto part = [&] { return document::Part(shown(rig).parts.back()); };
+    const PartId puff = part().id;
+    const auto side = [&] { return *document::sideOf(part().recipe); };
+    REQUIRE(document::inflateOf(part()) != nullptr);
+    CHECK(errorOf(rig.run("fit-side")) == "NotNow");  // no side picture
+    REQUIRE(works(rig, "set-view", R"({"picture": 2, "of": 1, "from": "left"})"));
+    CHECK(errorOf(rig.run("fit-side")) == "NotNow");  // nothing is drawn there
+    CHECK(errorOf(rig.run("fit-side", R"({"line": [[40, 20], [60, 80], [40, 80], [60, 20]]})")) == "ShapeInvalid");
+    CHECK(errorOf(rig.run("fit-side", R"({"picture": 1, "line": [[40, 20], [60, 20], [60, 80]]})")) == "ViewInvalid");
+    REQUIRE(works(rig, "fit-side", R"({"line": [[40, 20], [60, 20], [60, 80], [40, 80]]})"));
+    REQUIRE(side());
+    kept = rig.app->history();
+    REQUIRE(works(rig, "undo"));
+    CHECK_FALSE(side());
+    REQUIRE(works(rig, "redo"));
+    CHECK(side());
+    REQUIRE(works(rig, "plain-side"));
+    CHECK_FALSE(side());
+    // The outline of a shape in the side picture is taken where none is given, for several parts at once.
+    REQUIRE(works(rig, "draw-spine", R"({"picture": 1, "stroke": [[100, 45], [100, 155]]})"));
+    CHECK(document::loftOf(part()) != nullptr);
+    REQUIRE(works(rig, "set-view", R"({"picture": 2, "of": 1, "from": "left"})"));
+    REQUIRE(
+        works(rig, "shape-outline", R"({"part": 1, "picture": 2, "line": [[50, 20], [65, 50], [50, 80], [35, 50]]})"));
+    const double undo = *rig.state().number("undo");
+    REQUIRE(works(rig, "fit-side",
+                  "{\"parts\": [" + std::to_string(puff.value) + ", " + std::to_string(part().id.value) + "]}"));
+    CHECK(*rig.state().number("undo") == undo + 1);
+    CHECK(side());
+    CHECK(document::sideOf(document::findPart(shown(rig), puff)->recipe)->has_value());
+    CHECK(errorOf(rig.run("fit-side", R"({"part": 1})")) == "TakesNoSide");
+  }
+  Rig again;
+  REQUIRE(app::Json::parse(again.app->restore(kept, "[]"))->flag("ok") == true);
+  again.settle();
+  CHECK(document::sideOf(shown(again).parts.back()->recipe)->has_value());
+}
+
 TEST_CASE("what makes no shape is refused by name and changes nothing") {
   TwoSheets rig;
   const std::string before = rig.app->history();
