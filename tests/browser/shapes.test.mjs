@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { onCanvas, press, strokeAlong } from './support/hands.mjs';
+import { parseStl } from './support/model_files.mjs';
 import { exported, idle, kPhone, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -152,6 +153,45 @@ test('handles by pen: an end, the width, and the depth in the side picture', () 
     await pull('depth', 15, 0);
     assert.ok((await shape(page)).ratio > 1.05);
   }));
+
+for (const [device, size, options] of [
+  ['mouse', '1440×900', kDesk],
+  ['finger', '390×844', kPhone],
+]) {
+  test(`a puff is as deep as the line round it in the side picture says, until that goes: ${device}, ${size}`, () =>
+    onPage(kit, options, async (page) => {
+      await twoSheets(page);
+      const [corner] = await toClient(page, [[5, 5]]);
+      await strokeAlong(page, device, [corner]);
+      await run(page, 'draw-puff', { contours: [ellipse(300, 225, 90, 140).slice(0, -1)] });
+      await idle(page);
+      /** Depth over height. */
+      const depth = async () => {
+        const corners = parseStl(await exported(page, 'stl')).flat();
+        const extent = (axis) => {
+          const all = corners.map((corner) => corner[axis]);
+          return Math.max(...all) - Math.min(...all);
+        };
+        return extent(1) / extent(2); // millimetres, z up
+      };
+      const before = await depth();
+      const touch = device === 'finger';
+      if (touch) await press(page, 'More', { touch });
+      await press(page, 'Shapes', { touch });
+      await press(page, (await state(page)).pictureList[1].name, { touch });
+      await press(page, 'Looks left', { touch });
+      const { undo } = await state(page);
+      await draw(page, device, ellipse(150, 150, 30, 100));
+      const now = await state(page);
+      assert.equal(now.undo, undo + 1);
+      assert.equal(now.parts[0].failure, null);
+      assert.equal(now.parts[0].side.picture, 2);
+      near({ ratio: await depth() }, { ratio: 0.3 }, 0.01, 'the depth');
+      await run(page, 'plain-side');
+      await idle(page);
+      near({ ratio: await depth() }, { ratio: before }, 1e-6, 'the depth as it was');
+    }));
+}
 
 test('shapes by keyboard alone, and by a screen reader; a reload and the GLB have them', () =>
   onPage(kit, { alone: true }, async (page) => {
