@@ -1,6 +1,7 @@
 #include "engine/stack/repeat.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace spineloft::stack {
 namespace {
@@ -11,7 +12,7 @@ constexpr double kRounding = 1e-6;
 Failure wrong(std::size_t pattern, const std::string& what) {
   return {Error::StackInvalid, "pattern " + std::to_string(pattern + 1) + " " + what};
 }
-std::string sheet(std::size_t number) { return "sheet " + std::to_string(number + 1); }
+std::string sheet(std::uint64_t number) { return "sheet " + std::to_string(number + 1); }
 
 /// Of one pattern alone.
 Status checkPattern(const std::vector<Plane>& planes, const Pattern& pattern, std::size_t number) {
