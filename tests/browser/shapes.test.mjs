@@ -154,12 +154,13 @@ test('handles by pen: an end, the width, and the depth in the side picture', () 
     assert.ok((await shape(page)).ratio > 1.05);
   }));
 
+// A page of their own: where a pen was in use, a finger moves the picture.
 for (const [device, size, options] of [
   ['mouse', '1440×900', kDesk],
   ['finger', '390×844', kPhone],
 ]) {
   test(`a puff is as deep as the line round it in the side picture says, until that goes: ${device}, ${size}`, () =>
-    onPage(kit, options, async (page) => {
+    onPage(kit, { alone: true, ...options }, async (page) => {
       await twoSheets(page);
       const [corner] = await toClient(page, [[5, 5]]);
       await strokeAlong(page, device, [corner]);
