@@ -94,14 +94,13 @@ Status checkStack(const Document& document, const StackRecipe& recipe) {
   return stack::checkPlanes(recipe.planes, recipe.rail, recipe.stack.patterns);
 }
 
-namespace {
-
-/// Whether a picture shows another one from the right or the left.
 bool showsSide(const Document& document, PictureId picture, PictureId front) {
   using geometry::ViewFrom;
   const auto view = viewOn(document, picture, front);
   return view.ok() && view.value() && (view.value()->from == ViewFrom::Right || view.value()->from == ViewFrom::Left);
 }
+
+namespace {
 
 Status checkOutline(const Document& document, PictureId front, const Outline& outline) {
   if (const auto view = viewOn(document, outline.picture, front); !view.ok()) return view.failure();

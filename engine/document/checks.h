@@ -46,6 +46,8 @@ Status checkView(const Document& document, PictureId picture, const PictureView&
 /// RegionOutside, ShapeInvalid. Whether the outlines make a shape is only known when it is made.
 Status checkShape(const Document& document, const ShapeRecipe& recipe);
 
+/// Whether `picture` shows `front` from the right or the left.
+bool showsSide(const Document& document, PictureId picture, PictureId front);
 /// Whether the side outline of a loft or a puff, where it has one, is drawn in a picture of its right or left. Errors:
 /// as of checkShape.
 Status checkSide(const Document& document, const Recipe& recipe);

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/document/checks.h"
 #include "engine/geometry/bounds.h"
 #include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
@@ -165,10 +166,7 @@ const document::Part* shapeElsewhere(const document::Document& document, const U
 }
 
 bool isSeenAside(const document::Document& document, const document::Part& part, PictureId picture) {
-  using geometry::ViewFrom;
-  if (document::sideOf(part.recipe) == nullptr) return false;
-  const auto view = document::viewOn(document, picture, document::pictureOf(part));
-  return view.ok() && view.value() && (view.value()->from == ViewFrom::Right || view.value()->from == ViewFrom::Left);
+  return document::sideOf(part.recipe) != nullptr && document::showsSide(document, picture, document::pictureOf(part));
 }
 
 const document::Part* partAside(const document::Document& document, const UiState& ui) {
