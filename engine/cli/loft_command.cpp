@@ -11,6 +11,7 @@
 #include "engine/geometry/pieces.h"
 #include "engine/inflate/bone_edits.h"
 #include "engine/inflate/profile.h"
+#include "engine/inflate/thin_rings.h"
 #include "engine/io/drawing_file.h"
 #include "engine/io/json_values.h"
 #include "engine/io/obj.h"
@@ -129,10 +130,12 @@ std::vector<inflate::EditedSkeleton> bonesOf(const pipeline::PartShape& shape, c
 }
 
 /// What the slices of a puff are made of; none of a soft one.
-std::optional<io::LoftReport::Profile> profileOf(const inflate::InflateParams& puff) {
-  const auto curves = inflate::matchedCurves(puff.profile.slices, puff.sides);
+std::optional<io::LoftReport::Profile> profileOf(std::span<const inflate::EditedSkeleton> bones, image::Size picture,
+                                                 const inflate::InflateParams& puff) {
+  auto curves = inflate::matchedCurves(puff.profile.slices, puff.sides);
   if (puff.profile.isSoft() || !curves.ok()) return std::nullopt;
-  io::LoftReport::Profile out{static_cast<int>(puff.profile.slices.size()), 0, 0};
+  io::LoftReport::Profile out{static_cast<int>(puff.profile.slices.size()), 0, 0,
+                              inflate::thickenRings(curves.value(), bones, picture, puff)};
   for (const std::vector<inflate::ProfileCurve>& curve : curves.value())
     ++(curve.front().closed ? out.offAxis : out.middle);
   return out;
@@ -156,7 +159,7 @@ std::string reportOf(const Model& model) {
       report.bones.emplace();
       for (const inflate::EditedSkeleton& piece : bones) report.bones->push_back(piece.skeleton);
       report.asleep = inflate::asleep(bones);
-      report.profile = profileOf(puff->inflate);
+      report.profile = profileOf(bones, report.picture, puff->inflate);
     }
     report.milliseconds = model.milliseconds;
     text += (text.empty() ? "" : ",\n") + io::writeReport(report);

@@ -11,6 +11,7 @@
 #include "engine/inflate/poisson_height.h"
 #include "engine/inflate/profile.h"
 #include "engine/inflate/rows.h"
+#include "engine/inflate/thin_rings.h"
 #include "engine/mesh/self_crossing.h"
 #include "engine/mesh/thin_triangles.h"
 #include "engine/mesh/two_sided.h"
@@ -168,8 +169,9 @@ mesh::TriMesh tidied(mesh::TriMesh mesh, double off, bool plain) {
 
 Result<mesh::TriMesh> inflateAlong(const Interior& interior, image::Size picture, const InflateParams& params) {
   if (!isValid(params) || params.profile.isSoft()) return Error::ValueOutOfRange;
-  const Result<MatchedCurves> curves = matchedCurves(params.profile.slices, params.sides);
+  Result<MatchedCurves> curves = matchedCurves(params.profile.slices, params.sides);
   if (!curves) return curves.failure();
+  thickenRings(curves.value(), interior.bones, picture, params);
   const bool rim = params.profile.across == Across::Length;
   const double reach = rim ? params.profile.reach * std::max(picture.width, picture.height) : 0;
   RowParams rows{1, finenessFor(params.points), params.height, params.profile.follow, 0, picture};

@@ -22,8 +22,8 @@ struct Interior;
 /// circle make a ball, a ring and a circle a torus. `params.height` multiplies z; sides cut the slice at z = 0. A
 /// profile that crosses its axis m times and has c curves beside it makes of a piece with h holes m + c (h + 1) shells
 /// of genus m h + c (h + 1) in all. Across a length the slice stands over the last `reach` before the outline, where
-/// the region is so wide, and what is within is flat. Errors: RegionEmpty, RegionTooFine, ValueOutOfRange, those of
-/// matchedCurves.
+/// the region is so wide, and what is within is flat. Thin rings are made thicker (thin_rings.h). Errors: RegionEmpty,
+/// RegionTooFine, ValueOutOfRange, those of matchedCurves and addRows.
 Result<mesh::TriMesh> inflateRegion(const geometry::Contours& contours, image::Size picture,
                                     const InflateParams& params);
 

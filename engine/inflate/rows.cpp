@@ -27,20 +27,17 @@ struct Ring {
 };
 
 /// How two rows are joined in order: of all ways the one whose joining edges are shortest, by the sum of their squares
-/// (Fuchs, Kedem and Uselton 1977). Only ways near the even one are looked at.
+/// (Fuchs, Kedem and Uselton 1977), among those near the even one.
 class Joining {
  public:
-  /// `reach`: how far from the even way, share of the longer row.
-  Joining(const Ring& a, const Ring& b, double reach)
-      : a_(a),
-        b_(b),
-        n_(a.steps()),
-        m_(b.steps()),
-        reach_(static_cast<std::size_t>(kLeastReach + reach * static_cast<double>(std::max(n_, m_)))) {}
+  /// `reach`: how far from the even way, in steps of b; at least what that goes on by from a step of a to the next.
+  Joining(const Ring& a, const Ring& b, std::size_t reach)
+      : a_(a), b_(b), n_(a.steps()), m_(b.steps()), reach_(std::max(reach, m_ / n_ + 1)) {}
 
-  /// Calls move(i, k, alongB) for each step, from (i, k) along a or b, last one first.
+  /// Calls move(i, k, alongB) for each step, from (i, k) along a or b, last one first. Whether no way farther off can
+  /// be shorter nearby: the one found keeps away from the ends of the reach.
   template <class Move>
-  void run(const Move& move) {
+  bool run(const Move& move) {
     const std::size_t wide = std::min(2 * reach_ + 1, m_ + 1);
     std::vector<double> above(wide, kNever), now(wide, kNever);
     std::vector<char> viaB((n_ + 1) * wide, 0);
@@ -56,16 +53,19 @@ class Joining {
       }
       above.swap(now);
     }
+    bool within = true;
     for (std::size_t i = n_, k = m_; i > 0 || k > 0;) {
-      const bool alongB = viaB[i * wide + k - lowest(i, wide)];
+      const std::size_t low = lowest(i, wide), c = k - low;
+      within = within && (c > 0 || low == 0) && (c + 1 < wide || low + wide > m_);
+      const bool alongB = viaB[i * wide + c];
       move(alongB ? i : i - 1, alongB ? k - 1 : k, alongB);
       (alongB ? k : i) -= 1;
     }
+    return within;
   }
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
-  static constexpr double kLeastReach = 10;
 
   /// The band of b at a place of a.
   std::size_t lowest(std::size_t i, std::size_t wide) const {
@@ -152,8 +152,8 @@ class Builder {
       wall(a.ids, b.ids);
       return true;
     }
-    constexpr double kNear = 0.1, kAny = 1;
-    for (const double reach : {kNear, kAny}) {
+    constexpr std::size_t kNear = 8;
+    for (const std::size_t reach : {kNear, b.ids.size()}) {
       const Triangles made = joined(a.ids, b.ids, reach);
       if (!upright && folds(made)) continue;
       mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
@@ -166,7 +166,7 @@ class Builder {
   /// they cross in any other case.
   bool spread(const Strip& a, const Strip& b) {
     if (between(a, b)) return true;
-    const Triangles made = joined(a.ids, b.ids, 1);
+    const Triangles made = joined(a.ids, b.ids, b.ids.size());
     mesh_.triangles.insert(mesh_.triangles.end(), made.begin(), made.end());
     bool in = false, out = false;
     for (std::size_t k = 0; k < a.row.size(); ++k) {
@@ -229,17 +229,22 @@ class Builder {
     return out;
   }
   const ModelPoint& at(std::uint32_t id) const { return points_[id - first_]; }
-  Triangles joined(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, double reach) const {
+  /// Twice as far off the even way as long as that may be shorter.
+  Triangles joined(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, std::size_t reach) const {
     const auto [startA, startB] = closest(a, b);
     const Ring one = ring(a, startA), other = ring(b, startB);
     Triangles out;
-    Joining(one, other, reach).run([&](std::size_t i, std::size_t k, bool alongB) {
+    const auto move = [&](std::size_t i, std::size_t k, bool alongB) {
       if (alongB) {
         out.push_back({one.ids[i], other.ids[k], other.ids[k + 1]});
       } else {
         out.push_back({one.ids[i + 1], one.ids[i], other.ids[k]});
       }
-    });
+    };
+    while (!Joining(one, other, reach).run(move)) {
+      out.clear();
+      reach *= 2;
+    }
     return out;
   }
   /// Between rows of which each point is over one of the other: the shorter way across each quadrangle.
@@ -476,7 +481,7 @@ Status addRows(const Fields& fields, const geometry::Contours& piece, const Matc
     mesh.uv.resize(points);
     mesh.triangles.resize(triangles);
   }
-  return Error::RegionTooFine;
+  return {Error::SectionInvalid, "it would make this puff go through itself"};
 }
 
 }  // namespace spineloft::inflate

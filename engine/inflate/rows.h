@@ -28,7 +28,7 @@ double thicknessOf(double width, const RowParams& params);
 /// front), H' = thicknessOf times the factor there, and the curve that of the slices by their shares
 /// there. Every curve of the profile is a closed surface, or one an outline: see topologyOf. A row at s = 1 is the
 /// outline, sampled by the spacing; one at s = 0 the skeleton, to which the plane is triangulated. Error:
-/// RegionTooFine, also where the surface would go through itself however fine the rows are.
+/// SectionInvalid, where the surface would go through itself however fine the rows are.
 Status addRows(const Fields& fields, const geometry::Contours& piece, const MatchedCurves& curves,
                const RowParams& params, mesh::TriMesh& mesh);
 

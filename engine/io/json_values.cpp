@@ -209,8 +209,8 @@ std::string writeReport(const LoftReport& report) {
     json["bones"]["asleep"] = report.asleep;
   }
   if (report.profile) {
-    const auto& [slices, middle, offAxis] = *report.profile;
-    json["profile"] = {{"slices", slices}, {"middle", middle}, {"offAxis", offAxis}};
+    const auto& [slices, middle, offAxis, thickened] = *report.profile;
+    json["profile"] = {{"slices", slices}, {"middle", middle}, {"offAxis", offAxis}, {"thickened", thickened}};
   }
   return textOf(json, 2);
 }

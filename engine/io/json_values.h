@@ -46,6 +46,7 @@ struct LoftReport {
   int asleep = 0;                                       ///< edits of its bones, and slices, that find no place
   struct Profile {
     int slices = 0, middle = 0, offAxis = 0;  ///< slices; curves from axis to axis and beside it of each
+    int thickened = 0;                        ///< rings that are drawn thicker, see inflate::thickenRings
   };
   std::optional<Profile> profile;  ///< of a puff with a slice
   NamedNumbers milliseconds;       ///< by stage
@@ -53,7 +54,7 @@ struct LoftReport {
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
 /// "mesh":{"vertices","triangles","closed","lawful","shells","genus","crossesItself","volume","area"},"milliseconds":{…}};
 /// of a puff also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the
-/// half width, and with a slice "profile":{"slices","middle","offAxis"}.
+/// half width, and with a slice "profile":{"slices","middle","offAxis","thickened"}.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

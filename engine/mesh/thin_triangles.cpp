@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -16,26 +16,76 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// The triangles round each point, in the order in which they came, all in one list: a list a point would ask for
+/// memory thousands of times.
+class Fans {
+ public:
+  explicit Fans(const TriMesh& mesh) : places_(mesh.positions.size()) {
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t corner : t) ++places_[corner].room;
+    }
+    std::uint32_t first = 0;
+    for (Place& place : places_) {
+      place.first = first;
+      place.room += kSpare;
+      first += place.room;
+    }
+    all_.resize(first);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t corner : mesh.triangles[t]) add(corner, t);
+    }
+  }
+
+  /// Valid until something is added.
+  std::span<const std::uint32_t> at(std::uint32_t point) const {
+    const Place& place = places_[point];
+    return {all_.data() + place.first, place.count};
+  }
+  void add(std::uint32_t point, std::uint32_t triangle) {
+    Place& place = places_[point];
+    if (place.count == place.room) {
+      const auto moved = static_cast<std::uint32_t>(all_.size());
+      place.room *= 2;
+      all_.resize(moved + place.room);
+      std::copy_n(all_.begin() + place.first, place.count, all_.begin() + moved);
+      place.first = moved;
+    }
+    all_[place.first + place.count++] = triangle;
+  }
+  void leave(std::uint32_t point, std::uint32_t triangle) {
+    Place& place = places_[point];
+    const auto begin = all_.begin() + place.first, end = begin + place.count;
+    place.count = static_cast<std::uint32_t>(std::remove(begin, end, triangle) - begin);
+  }
+  void clear(std::uint32_t point) { places_[point].count = 0; }
+
+ private:
+  static constexpr std::uint32_t kSpare = 2;
+  struct Place {
+    std::uint32_t first = 0, count = 0, room = 0;
+  };
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> all_;
+};
+
+double squared(const ModelPoint& v) { return dot(v, v); }
+
 class Remover {
  public:
   Remover(TriMesh& mesh, const ThinLimits& limits)
       : mesh_(mesh),
-        least_(std::sin(limits.angle)),
+        least_(std::pow(std::sin(limits.angle), 2)),
         mostBend_(std::cos(limits.bend)),
         off_(limits.off),
-        fans_(mesh.positions.size()),
-        gone_(mesh.triangles.size(), 0) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t corner : mesh.triangles[t]) fans_[corner].push_back(t);
-    }
-  }
+        fans_(mesh),
+        gone_(mesh.triangles.size(), 0) {}
 
   void run() {
     constexpr int kPasses = 8;
     for (int pass = 0; pass < kPasses; ++pass) {
       bool changed = false;
       for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        if (gone_[t] || sineOf(mesh_.triangles[t]) >= least_) continue;
+        if (gone_[t] || sineSquared(mesh_.triangles[t]) >= least_) continue;
         changed = flip(t) || collapse(t) || changed;
       }
       if (!changed) break;
@@ -49,24 +99,23 @@ class Remover {
     return {p[0], p[1], p[2]};
   }
   ModelPoint normalOf(const Triangle& t) const { return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])); }
-  /// Of the smallest angle.
-  double sineOf(const Triangle& t) const {
-    std::array<double, 3> sides{distance(at(t[0]), at(t[1])), distance(at(t[1]), at(t[2])),
-                                distance(at(t[2]), at(t[0]))};
-    std::ranges::sort(sides);
-    const double legs = sides[1] * sides[2];
-    return legs > 0 ? norm(normalOf(t)) / legs : 0;
+  /// Of the smallest angle, which lies between the longer two sides.
+  double sineSquared(const Triangle& t) const {
+    const ModelPoint a = at(t[1]) - at(t[0]), b = at(t[2]) - at(t[0]), c = b - a;
+    const double aa = squared(a), bb = squared(b), cc = squared(c);
+    const double legs = std::max({aa * bb, aa * cc, bb * cc});
+    return legs > 0 ? squared(cross(a, b)) / legs : 0;
   }
   /// Whether a triangle in place of another one lies nearly as that does.
   bool keepsWay(const Triangle& before, const Triangle& after) const {
     const ModelPoint a = normalOf(before), b = normalOf(after);
-    return dot(a, b) > mostBend_ * norm(a) * norm(b);
+    return dot(a, b) > mostBend_ * std::sqrt(squared(a) * squared(b));
   }
   /// The corner of a triangle whose opposite edge is the longest, or the shortest.
   template <class Better>
   std::size_t cornerBy(const Triangle& t, const Better& better) const {
     std::size_t best = 0;
-    const auto length = [&](std::size_t c) { return distance(at(t[(c + 1) % 3]), at(t[(c + 2) % 3])); };
+    const auto length = [&](std::size_t c) { return squared(at(t[(c + 1) % 3]) - at(t[(c + 2) % 3])); };
     for (std::size_t c = 1; c < 3; ++c) {
       if (better(length(c), length(best))) best = c;
     }
@@ -74,16 +123,15 @@ class Remover {
   }
   /// The triangle on the other side of the edge from a to b, which is one of `t`.
   std::optional<std::uint32_t> across(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
-    for (const std::uint32_t other : fans_[a]) {
+    for (const std::uint32_t other : fans_.at(a)) {
       if (other != t && std::ranges::count(mesh_.triangles[other], b) > 0) return other;
     }
     return std::nullopt;
   }
   bool areJoined(std::uint32_t a, std::uint32_t b) const {
-    return std::ranges::any_of(fans_[a],
+    return std::ranges::any_of(fans_.at(a),
                                [&](std::uint32_t t) { return std::ranges::count(mesh_.triangles[t], b) > 0; });
   }
-  void leave(std::uint32_t vertex, std::uint32_t triangle) { std::erase(fans_[vertex], triangle); }
 
   bool flip(std::uint32_t t) {
     const Triangle own = mesh_.triangles[t];
@@ -97,14 +145,15 @@ class Remover {
     const Triangle one{c, a, d}, two{d, b, c};
     const bool flat = keepsWay(own, theirs) && keepsWay(own, one) && keepsWay(own, two) && keepsWay(theirs, one) &&
                       keepsWay(theirs, two);
-    const double before = std::min(sineOf(own), sineOf(theirs)), after = std::min(sineOf(one), sineOf(two));
+    const double before = std::min(sineSquared(own), sineSquared(theirs)),
+                 after = std::min(sineSquared(one), sineSquared(two));
     if (!flat || after <= before) return false;
     mesh_.triangles[t] = one;
     mesh_.triangles[*other] = two;
-    leave(b, t);
-    leave(a, *other);
-    fans_[d].push_back(t);
-    fans_[c].push_back(*other);
+    fans_.leave(b, t);
+    fans_.leave(a, *other);
+    fans_.add(d, t);
+    fans_.add(c, *other);
     return true;
   }
 
@@ -113,8 +162,8 @@ class Remover {
     const std::size_t tip = cornerBy(own, std::less<>());
     const std::uint32_t a = own[(tip + 1) % 3], b = own[(tip + 2) % 3];
     const double ab = worstWithout(a, b), ba = worstWithout(b, a);
-    constexpr double kWorse = 0.75;  // what is round it may become so much thinner, if fewer triangles are thin
-    if (std::max(ab, ba) < kWorse * sineOf(own) || !hasOneSeam(a, b)) return false;
+    constexpr double kWorse = 0.75 * 0.75;  // what is round it may become so much thinner, if fewer triangles are thin
+    if (std::max(ab, ba) < kWorse * sineSquared(own) || !hasOneSeam(a, b)) return false;
     if (ab >= ba) {
       join(a, b);
     } else {
@@ -123,22 +172,22 @@ class Remover {
     return true;
   }
 
-  /// The sine of the smallest angle round `goes` once it lies in `stays`; −1 where that changes the surface, or leaves
-  /// as many thin triangles as there were.
+  /// The squared sine of the smallest angle round `goes` once it lies in `stays`; −1 where that changes the surface, or
+  /// leaves as many thin triangles as there were.
   double worstWithout(std::uint32_t goes, std::uint32_t stays) const {
     double worst = 1;
     int thin = 0;
     const ModelPoint way = at(goes) - at(stays);
-    for (const std::uint32_t t : fans_[goes]) {
+    for (const std::uint32_t t : fans_.at(goes)) {
       const Triangle before = mesh_.triangles[t];
-      thin -= sineOf(before) < least_;
+      thin -= sineSquared(before) < least_;
       if (std::ranges::count(before, stays) > 0) continue;
       Triangle after = before;
       std::ranges::replace(after, goes, stays);
       if (!keepsWay(before, after)) return -1;
       const ModelPoint normal = normalOf(after);
       if (std::abs(dot(normal, way)) > off_ * norm(normal)) return -1;
-      const double sine = sineOf(after);
+      const double sine = sineSquared(after);
       thin += sine < least_;
       worst = std::min(worst, sine);
     }
@@ -149,27 +198,30 @@ class Remover {
   /// would be pinched.
   bool hasOneSeam(std::uint32_t a, std::uint32_t b) const {
     std::vector<std::uint32_t> common;
-    for (const std::uint32_t t : fans_[a]) {
+    for (const std::uint32_t t : fans_.at(a)) {
       for (const std::uint32_t v : mesh_.triangles[t]) {
         if (v != a && v != b && areJoined(v, b) && std::ranges::count(common, v) == 0) common.push_back(v);
       }
     }
     constexpr std::size_t kLeastFan = 3;  // of a tip, which loses one
     return common.size() == 2 &&
-           std::ranges::all_of(common, [&](std::uint32_t v) { return fans_[v].size() > kLeastFan; });
+           std::ranges::all_of(common, [&](std::uint32_t v) { return fans_.at(v).size() > kLeastFan; });
   }
 
   void join(std::uint32_t goes, std::uint32_t stays) {
-    for (const std::uint32_t t : std::exchange(fans_[goes], {})) {
+    const auto fan = fans_.at(goes);
+    moved_.assign(fan.begin(), fan.end());
+    fans_.clear(goes);
+    for (const std::uint32_t t : moved_) {
       Triangle& triangle = mesh_.triangles[t];
       if (std::ranges::count(triangle, stays) > 0) {
         gone_[t] = 1;
         for (const std::uint32_t v : triangle) {
-          if (v != goes) leave(v, t);
+          if (v != goes) fans_.leave(v, t);
         }
       } else {
         std::ranges::replace(triangle, goes, stays);
-        fans_[stays].push_back(t);
+        fans_.add(stays, t);
       }
     }
   }
@@ -178,7 +230,7 @@ class Remover {
     std::vector<std::uint32_t> index(mesh_.positions.size(), 0);
     std::uint32_t count = 0;
     for (std::uint32_t v = 0; v < index.size(); ++v) {
-      if (fans_[v].empty()) continue;
+      if (fans_.at(v).empty()) continue;
       mesh_.positions[count] = mesh_.positions[v];
       if (!mesh_.uv.empty()) mesh_.uv[count] = mesh_.uv[v];
       index[v] = count++;
@@ -196,9 +248,11 @@ class Remover {
   }
 
   TriMesh& mesh_;
-  double least_, mostBend_, off_;
-  std::vector<std::vector<std::uint32_t>> fans_;  ///< triangles round each point
-  std::vector<char> gone_;                        ///< by triangle
+  double least_;  ///< sine squared
+  double mostBend_, off_;
+  Fans fans_;
+  std::vector<char> gone_;            ///< by triangle
+  std::vector<std::uint32_t> moved_;  ///< see join
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { press, strokeAlong } from './support/hands.mjs';
-import { exported, idle, kPhone, kTablet, onPage, state, toClient, useSite } from './support/page.mjs';
+import { exported, idle, kPhone, kTablet, onPage, run, state, toastText, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
 const kMostActions = 5; // 9 seconds for each of 45
@@ -63,3 +63,23 @@ for (const [how, [hand, device]] of Object.entries(devices))
         assert.ok((await exported(page, 'glb')).length > 1000);
       }));
   }
+
+test('a ring too thin to show is drawn thicker, and the page says so', () =>
+  onPage(kit, {}, async (page) => {
+    await page.getByRole('button', { name: 'Draw on paper' }).click();
+    await run(page, 'draw-puff', { contours: [round(510, 384, 190, 190)] });
+    const box = (left, right) => [
+      [left, -0.3],
+      [right, -0.3],
+      [right, 0.3],
+      [left, 0.3],
+    ];
+    await run(page, 'puff-slice', { contours: [box(0.5, 0.53), box(-0.53, -0.5)] });
+    assert.equal((await state(page)).parts[0].bones.thickened, 0);
+    await run(page, 'slice-edge');
+    await run(page, 'set-parameter', { key: 'reach', value: 0.02 });
+    assert.match(await toastText(page, 'status'), /too thin to show/);
+    assert.equal((await state(page)).parts[0].bones.thickened, 1);
+    await run(page, 'slice-whole');
+    assert.equal((await state(page)).parts[0].bones.thickened, 0);
+  }));

@@ -72,6 +72,22 @@ test('a slice makes a ball, a torus, a prism; shells and handles follow from its
   assert.deepEqual([both.genus, both.shells], [3, 3]);
 });
 
+test('a ring too thin to show is drawn thicker, and the report says so', (t) => {
+  const folder = workFolder(t);
+  const box = (left, right) => [left, -0.3, right, -0.3, right, 0.3, left, 0.3];
+  for (const [right, thickened] of [
+    [0.501, 1],
+    [0.6, 0],
+  ]) {
+    const { mesh, profile } = reported(folder, disc, sliced({ contours: [box(0.5, right), box(-right, -0.5)] }));
+    assert.deepEqual(
+      { genus: mesh.genus, lawful: mesh.lawful, crosses: mesh.crossesItself },
+      { genus: 1, lawful: true, crosses: false },
+    );
+    assert.equal(profile.thickened, thickened);
+  }
+});
+
 test('without a slice a puff is what it was, and a recipe comes back from its file', (t) => {
   const folder = workFolder(t);
   const soft = reported(folder, stadium).mesh;

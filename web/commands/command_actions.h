@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/geometry/region.h"
@@ -55,6 +57,11 @@ Outcome reportPrint(const CommandEnv& env);
 void closeCut(const CommandEnv& env);
 /// The same once its picture, its part or its tool is gone.
 void settleCut(const CommandEnv& env);
+
+// Puffs.
+/// Studio::act, and a hint where a ring of one of these parts becomes too thin to show.
+Status actOnPuffs(const CommandEnv& env, const std::vector<PartId>& parts, std::span<const document::Action> actions,
+                  std::string_view burst = {});
 
 // Sections.
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.

@@ -153,7 +153,7 @@ Outcome setOnAll(const CommandEnv& env, const std::vector<PartId>& parts,
     if (std::optional<document::Action> one = action(*part)) actions.push_back(*std::move(one));
   }
   if (actions.empty()) return {};
-  const Status status = env.studio.act(actions);
+  const Status status = actOnPuffs(env, parts, actions);
   if (status && actions.size() > 1) sendStatus(env.host, words::tr("Set on {n} parts.", {{"n", actions.size()}}));
   return outcomeOf(status);
 }

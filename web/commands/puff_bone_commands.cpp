@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/geometry/line_distance.h"
+#include "engine/inflate/thin_rings.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
@@ -55,7 +56,7 @@ const char* whyNot(std::vector<char> inflate::AwakeEdits::* kind) {
 Outcome act(Env env, PartId part, const inflate::InflateParams& params, std::string_view burst = {}) {
   if (!inflate::isValid(params)) return refuse({Error::ValueOutOfRange, "bones"});
   const document::Action action = document::ShapeRegion{part, params};
-  return outcomeOf(env.studio.act({&action, 1}, burst));
+  return outcomeOf(actOnPuffs(env, {part}, {&action, 1}, burst));
 }
 
 /// One more edit, if it finds its place.
@@ -246,6 +247,22 @@ Outcome setSliceAt(Env env, PartId part, PicturePoint at, const sections::Sectio
   }
   if (slices.size() > inflate::kMostSlices) return Refusal{"NotNow", "A puff has at most eight slices."};
   return change(env, puff, {params, &inflate::AwakeEdits::slices, number});
+}
+
+Status actOnPuffs(Env env, const std::vector<PartId>& parts, std::span<const document::Action> actions,
+                  std::string_view burst) {
+  const auto thin = [&] {
+    int count = 0;
+    for (const PartId id : parts) {
+      const BonedPuff puff = puffFor(env, id);
+      if (puff) count += inflate::thinRings(puff.shape->bones, puff.picture, *puff.params);
+    }
+    return count;
+  };
+  const int before = thin();
+  const Status status = env.studio.act(actions, burst);
+  if (thin() > before) sendHint(env.host, "A ring of this slice is too thin to show, so it is drawn a little thicker.");
+  return status;
 }
 
 Outcome setPuffSlice(Env env, PartId part, std::size_t slice, const sections::SectionShape& shape) {

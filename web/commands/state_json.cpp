@@ -6,6 +6,7 @@
 
 #include "engine/document/params.h"
 #include "engine/inflate/ready_profiles.h"
+#include "engine/inflate/thin_rings.h"
 #include "engine/io/json_fields.h"
 #include "web/edit/editing.h"
 #include "web/edit/gizmo.h"
@@ -165,6 +166,7 @@ void writeBones(JsonWriter& json, const BonedPuff& puff) {
   }
   json.beginObject().key("ends").number(ends).key("forks").number(forks).key("rings").number(rings);
   json.key("length").number(length).key("asleep").number(inflate::asleep(puff.shape->bones));
+  json.key("thickened").number(inflate::thinRings(puff.shape->bones, puff.picture, *puff.params));
   const std::vector<BoneHandle> handles = boneHandles(puff);
   for (const auto& [key, hold] : {std::pair{"branches", BoneHold::Bone}, {"gone", BoneHold::Gone}}) {
     json.key(key).beginArray();
@@ -374,7 +376,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
       json, "bone",
       derived.shape && document::loftOf(part) ? spineHandles({&part, &*derived.shape}) : std::vector<PicturePoint>{});
   writeRegion(json, part, derived.shape.get());
-  writeBones(json, bonedPuff(part, derived.shape.get()));
+  writeBones(json, bonedPuff(document, part, derived.shape.get()));
   writeShape(json, part);
   const std::optional<document::Outline>* side = document::sideOf(part.recipe);
   json.key("side");

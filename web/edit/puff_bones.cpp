@@ -162,20 +162,18 @@ void addBones(const BonedPuff& puff, std::vector<BoneHandle>& out) {
 
 }  // namespace
 
-BonedPuff bonedPuff(const document::Part& part, const pipeline::PartShape* shape) {
+BonedPuff bonedPuff(const document::Document& document, const document::Part& part, const pipeline::PartShape* shape) {
   const document::InflateRecipe* puff = document::inflateOf(part);
   const bool boned = puff != nullptr && !puff->inflate.profile.isSoft() && shape != nullptr && !shape->bones.empty();
-  return boned ? BonedPuff{&part, &puff->inflate, shape, {}} : BonedPuff{};
+  if (!boned) return {};
+  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(part));
+  return {&part, &puff->inflate, shape, entry ? entry->size : image::Size()};
 }
 
 BonedPuff bonedPuff(const document::Document& document, const pipeline::Derived& derived, PartId id) {
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (document.parts[i]->id != id) continue;
-    BonedPuff puff = bonedPuff(document.parts[i], derived.parts[i].shape.get());
-    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(document.parts[i]));
-    if (entry != nullptr) puff.picture = entry->size;
-    return puff;
+    if (document.parts[i]->id == id) return bonedPuff(document, document.parts[i], derived.parts[i].shape.get());
   }
   return {};
 }

@@ -21,7 +21,7 @@ struct BonedPuff {
 };
 /// Empty for a part that there is not, that is no puff with a slice, or that has no shape.
 BonedPuff bonedPuff(const document::Document& document, const pipeline::Derived& derived, PartId part);
-BonedPuff bonedPuff(const document::Part& part, const pipeline::PartShape* shape);
+BonedPuff bonedPuff(const document::Document& document, const document::Part& part, const pipeline::PartShape* shape);
 /// The selected one, where the tool for bones shows it in the picture in view.
 BonedPuff bonesInHand(const document::Document& document, const pipeline::Derived& derived, const UiState& ui);
 /// The same as the gesture in hand would make it.

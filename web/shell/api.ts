@@ -126,6 +126,8 @@ export interface PuffBones {
   length: number;
   /** Changes by hand that find no place in this outline; they are kept. */
   asleep: number;
+  /** Rings that are too thin to show, and drawn thicker. */
+  thickened: number;
   branches: PicturePoint[][];
   /** Bones that are left out. */
   gone: PicturePoint[][];

@@ -135,5 +135,5 @@ TEST_CASE("rings in narrow places, and rows next to outlines that bend, do not g
 TEST_CASE("a puff whose rows go through each other however fine they are is refused, and not made all the same") {
   const Result<mesh::TriMesh> mesh = solidOf(anyPuff(2491));
   REQUIRE(!mesh.ok());
-  CHECK(mesh.error() == Error::RegionTooFine);
+  CHECK(mesh.error() == Error::SectionInvalid);
 }
