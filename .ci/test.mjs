@@ -103,6 +103,7 @@ async function page(env) {
         ...env,
         SPINELOFT_CLI: nativeProgram,
         SPINELOFT_BROWSER_WS: server.wsEndpoint(),
+        ...(env.SPINELOFT_ROUNDS > 1 ? { SPINELOFT_ALL_DRAW: '1' } : {}),
       },
     );
   } finally {

@@ -87,7 +87,7 @@ for (const [name, context, looks] of [
 }
 
 test('the page is dark where the system asks for it, the canvas as well, and changes with it; saved pictures do not', () =>
-  onPage(kit, { alone: true, colorScheme: 'dark' }, async (page) => {
+  onPage(kit, { alone: true, draws: true, colorScheme: 'dark' }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);
     const brightness = async (clip) => {
       const { data } = await pixels(page, clip);

@@ -44,7 +44,7 @@ const measuredStl = async (page) => measure(parseStl(await exported(page, 'stl')
 
 for (const { name, isolated } of kEngines) {
   test(`${name}: the page says which engine runs; ribs and solid appear while the pen moves, and are saved`, () =>
-    onPage(kit, isolated === kEngines[0].isolated ? {} : { isolated }, async (page) => {
+    onPage(kit, { draws: true, ...(isolated === kEngines[0].isolated ? {} : { isolated }) }, async (page) => {
       const { threads, version } = await state(page);
       assert.equal(threads > 0, isolated, `threads: ${threads}`);
       assert.match(version, /^\d+\.\d+\.\d+/);

@@ -102,7 +102,7 @@ test('a phone: what is said lies on the panel and leaves its tabs free, with a b
   }));
 
 test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () =>
-  withTube(kPhone, async (page) => {
+  withTube({ ...kPhone, draws: true }, async (page) => {
     await page.setViewportSize({ width: 320, height: 568 });
     await idle(page);
     await done(page, 'draw-spine', { stroke: tube.middle });
@@ -226,7 +226,7 @@ test('a stroke in hand is dropped without a trace by Escape, the right button an
 
 // After the finger's: once a pen was seen, fingers move the picture.
 test('a pen draws, the solid grows with it, and its palm does not disturb', () =>
-  withTube(kTablet, async (page) => {
+  withTube({ ...kTablet, draws: true }, async (page) => {
     const before = await pixels(page);
     await drawWithPen(page, tube.middle, {
       midway: async () => {

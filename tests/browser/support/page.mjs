@@ -12,7 +12,7 @@ import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs'
 export const kWindow = { width: 1100, height: 720 };
 /** One device pixel for four of the window: drawing is what costs. Tests that look at pixels are `kSharp`. */
 export const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
-export const kSharp = { deviceScaleFactor: 1 };
+export const kSharp = { deviceScaleFactor: 1, draws: true };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 export const kTablet = { viewport: { width: 1024, height: 768 }, hasTouch: true };
 
@@ -23,6 +23,9 @@ export const kEngines = [
 ];
 if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
 
+/** Whether pages draw that no test looks at: in `npm run test:all`, and where somebody will look at pictures of them. */
+const kAllDraw = Boolean(process.env.SPINELOFT_ALL_DRAW ?? process.env.SPINELOFT_PICTURES);
+
 /** How much longer random tests go on than in `npm test`. */
 export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
 
@@ -31,6 +34,18 @@ export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
  * longer than all else that a page does to start, and only tests of the warm-up itself need them.
  */
 export const asWarm = () => performance.mark('spineloft-warm');
+
+/**
+ * In the page, before its own scripts: the renderer does all but draw, which takes a processor without a GPU longer than
+ * all else.
+ */
+export function withoutDrawing() {
+  for (const name of ['drawElements', 'drawArrays', 'clear', 'blitFramebuffer'])
+    WebGL2RenderingContext.prototype[name] = () => undefined;
+  window.drawsNothing = true;
+}
+const assertDraws = async (page) =>
+  assert.ok(!(await page.evaluate(() => window.drawsNothing)), 'a test that looks at pixels wants a page that draws');
 
 /** In the page, before its scripts: how WebAssembly programs are made, and how large they are. */
 export function watchPrograms() {
@@ -91,12 +106,14 @@ export function useSite(prepare) {
     scripts = [],
     firstVisit,
     warmsUp,
+    draws = kAllDraw,
     ...context
   } = {}) => {
+    const before = [...(warmsUp ? [] : [asWarm]), ...(draws ? [] : [withoutDrawing])];
     const opened = await openPage(kit.browser, kit.sites[isolated].url + query, {
       ...kQuick,
       ...context,
-      scripts: warmsUp ? scripts : [asWarm, ...scripts],
+      scripts: [...before, ...scripts],
     });
     await opened.page.evaluate(() => window.spineloft.ready);
     // The first tools are for a first visit; `firstVisit` tests what that shows.
@@ -241,6 +258,7 @@ export async function toastText(page, role = 'alert') {
 
 /** Decoded pixels of a part of the screen. */
 export async function pixels(page, clip) {
+  await assertDraws(page);
   return PNG.sync.read(await page.screenshot(clip ? { clip } : {}));
 }
 
@@ -260,6 +278,7 @@ export function difference(a, b) {
 
 /** A model file of what is on the page. */
 export async function exported(page, format) {
+  if (format === 'png') await assertDraws(page);
   const text = await page.evaluate(async (kind) => {
     const bytes = await window.spineloft.exportModel(kind);
     let binary = '';
