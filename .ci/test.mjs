@@ -43,6 +43,12 @@ const kSanitizers = {
   UBSAN_OPTIONS: 'print_stacktrace=1:halt_on_error=1',
 };
 
+/** Whether random tests go on for long, as in `npm run test:all`. */
+const many = (env) => env.SPINELOFT_ROUNDS > 1;
+
+/** The program with every other seed of random tests: two builds share them out. */
+const withSeeds = (program, seeds) => ({ ...program, env: { ...program.env, SPINELOFT_SEEDS: seeds } });
+
 const underNode = (name) => ({
   name,
   command: process.execPath,
@@ -58,7 +64,9 @@ function asan(env) {
     args: [],
     env: { ...kSanitizers, ASAN_SYMBOLIZER_PATH: symbolizer, ...env },
   };
-  return doctest(program, env.SPINELOFT_ROUNDS > 1 ? {} : { but: ['data', 'slow'] }, lanes);
+  return many(env)
+    ? doctest(program, {}, lanes)
+    : doctest(withSeeds(program, 'even'), { but: ['data', 'slow'] }, lanes);
 }
 
 /** What ships, and on the data once: the other builds give the same numbers (tests/cli/agree). */
@@ -69,19 +77,20 @@ function native(env) {
     args: [],
     env,
   };
-  return doctest(program, env.SPINELOFT_ROUNDS > 1 ? {} : { only: ['data', 'slow'] }, lanes);
+  return doctest(program, many(env) ? {} : { only: ['data', 'slow'] }, lanes);
 }
 
 /** Optimised, with the numbers of WebAssembly. */
-const wasmSingle = (env) => doctest({ ...underNode('spineloft_tests_single'), env }, { but: ['data'] }, lanes);
+function wasmSingle(env) {
+  const program = { ...underNode('spineloft_tests_single'), env };
+  return many(env)
+    ? doctest(program, { but: ['data'] }, lanes)
+    : doctest(withSeeds(program, 'odd'), { but: ['data', 'slow'] }, lanes);
+}
 
 /** The same objects with threads. */
 const wasmThreads = (env) =>
-  doctest(
-    { ...underNode('spineloft_tests'), env },
-    env.SPINELOFT_ROUNDS > 1 ? { but: ['data'] } : { only: ['threads'] },
-    lanes,
-  );
+  doctest({ ...underNode('spineloft_tests'), env }, many(env) ? { but: ['data'] } : { only: ['threads'] }, lanes);
 
 const cli = (env) =>
   nodeTests('node', testFiles(['.ci/tests', 'tests/cli']), { lanes }, { ...env, SPINELOFT_CLI: nativeProgram });
@@ -103,7 +112,7 @@ async function page(env) {
         ...env,
         SPINELOFT_CLI: nativeProgram,
         SPINELOFT_BROWSER_WS: server.wsEndpoint(),
-        ...(env.SPINELOFT_ROUNDS > 1 ? { SPINELOFT_ALL_DRAW: '1' } : {}),
+        ...(many(env) ? { SPINELOFT_ALL_DRAW: '1' } : {}),
       },
     );
   } finally {

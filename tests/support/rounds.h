@@ -14,4 +14,11 @@ inline auto seeds(std::uint64_t first, std::uint64_t last) {
   return std::views::iota(first, first + static_cast<std::uint64_t>(rounds(static_cast<int>(last - first))));
 }
 
+/// Whether this run takes a seed of a long test: every one, or where $SPINELOFT_SEEDS says so the even or the odd ones.
+bool takes(std::uint64_t seed);
+/// Those of `seeds` that this run takes: `npm test` shares them out between two builds.
+inline auto sharedSeeds(std::uint64_t first, std::uint64_t last) {
+  return seeds(first, last) | std::views::filter(takes);
+}
+
 }  // namespace spineloft::testing

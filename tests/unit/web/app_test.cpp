@@ -478,8 +478,9 @@ TEST_CASE("two pictures: each part belongs to the one it was drawn on") {
 }
 
 TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws") {
-  Rng rng(2026);
-  for (int round = 0; round < testing::rounds(6); ++round) {
+  for (const std::uint64_t round : testing::sharedSeeds(0, 6)) {
+    CAPTURE(round);
+    Rng rng(2026 + round);
     const platform::CanvasSize sizes[] = {{1200, 700, 1}, {390, 760, 2}, {820, 600, 1.5}};
     Rig rig(sizes[round % 3]);
     rig.openBar();

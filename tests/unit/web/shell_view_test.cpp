@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/rng.h"
+#include "tests/support/rounds.h"
 #include "tests/support/scarce_memory.h"
 #include "tests/unit/web/two_bars.h"
 #include "web/commands/shell_view.h"
@@ -146,7 +147,7 @@ constexpr Call kCalls[] = {
 TEST_CASE("after every command of a random sequence the shell was told what the table and the state say") {
   const std::span<const app::Command> table = app::commandTable();
   REQUIRE(table.size() <= app::ShellView::kMostCommands);
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : testing::sharedSeeds(1, 5)) {
     CAPTURE(seed);
     Rng rng(seed);
     Rig rig;
