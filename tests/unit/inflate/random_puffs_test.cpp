@@ -95,14 +95,11 @@ Puff anyPuff(std::uint64_t seed) {
   return {region, params};
 }
 
-/// The solid of anyPuff, which is lawful and has the shells and handles of the formula.
-mesh::TriMesh randomPuff(std::uint64_t seed) {
-  const Puff puff = anyPuff(seed);
+/// The solid of a puff is lawful, has the shells and handles of the formula, and does not go through itself.
+void checkSolid(const Puff& puff, const mesh::TriMesh& solid) {
   const auto curves = matchedCurves(puff.params.profile.slices, puff.params.sides);
   REQUIRE(curves.ok());
-  const Result<mesh::TriMesh> mesh = solidOf(puff);
-  REQUIRE_MESSAGE(mesh.ok(), (mesh.ok() ? std::string() : failureSentence(mesh.failure())));
-  const mesh::MeshReport report = requireLawful(mesh.value());
+  const mesh::MeshReport report = requireLawful(solid);
   std::vector<ProfileCurve> first;
   for (const auto& curve : curves.value()) first.push_back(curve.front());
   Topology expected;
@@ -113,22 +110,34 @@ mesh::TriMesh randomPuff(std::uint64_t seed) {
   }
   CHECK(report.shells == expected.shells);
   CHECK(report.genus == expected.genus);
-  return mesh.value();
+  CHECK(!mesh::selfCrossing(solid));
 }
 
 }  // namespace
 
 TEST_CASE("random regions, slices and edits of bones leave lawful solids with the shells and handles of the formula") {
+  int refused = 0;
   for (const std::uint64_t seed : testing::seeds(1, 40)) {
     CAPTURE(seed);
-    CHECK(!mesh::selfCrossing(randomPuff(seed)));
+    const Puff puff = anyPuff(seed);
+    const Result<mesh::TriMesh> solid = solidOf(puff);
+    if (solid.ok()) {
+      checkSolid(puff, solid.value());
+    } else {
+      CHECK(solid.error() == Error::SectionInvalid);
+      ++refused;
+    }
   }
+  CHECK(1000 * refused <= testing::rounds(39));
 }
 
 TEST_CASE("rings in narrow places, and rows next to outlines that bend, do not go through each other") {
   for (const std::uint64_t seed : {343, 498, 1432, 1740, 2173, 2497, 2624, 3278, 3338, 3575, 3701}) {
     CAPTURE(seed);
-    CHECK(!mesh::selfCrossing(randomPuff(seed)));
+    const Puff puff = anyPuff(seed);
+    const Result<mesh::TriMesh> solid = solidOf(puff);
+    REQUIRE(solid.ok());
+    checkSolid(puff, solid.value());
   }
 }
 
