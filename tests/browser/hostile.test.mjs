@@ -9,7 +9,7 @@ import { makeShare } from '../../web/share/server.mjs';
 import { openStore } from '../../web/share/store.mjs';
 import { loadClient } from '../share/support/server.mjs';
 import {
-  asWarm,
+  kLight,
   downloaded,
   done,
   dropFiles,
@@ -70,7 +70,7 @@ async function visit(url, work) {
   const opened = await openPage(kit.browser, url, {
     viewport: kWindow,
     deviceScaleFactor: 0.5,
-    scripts: [asWarm, watchHits],
+    scripts: [...kLight, watchHits],
   });
   opened.page.setDefaultTimeout(120_000);
   try {

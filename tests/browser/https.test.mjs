@@ -9,7 +9,7 @@ import { test } from 'node:test';
 import { connect } from 'node:tls';
 import { openPage } from '../../.ci/lib/browser.mjs';
 import { root } from '../../.ci/lib/paths.mjs';
-import { asWarm, kWindow, useSite } from './support/page.mjs';
+import { kLight, kWindow, useSite } from './support/page.mjs';
 
 const kit = useSite();
 
@@ -56,7 +56,7 @@ test(
     const address = addresses.find((one) => one.includes(networkAddress));
     assert.ok(address?.startsWith('https://'), addresses.join());
     assert.match(await namesOf(new URL(address)), new RegExp(`DNS:localhost.*IP Address:${networkAddress}`));
-    const options = { viewport: kWindow, deviceScaleFactor: 0.5, scripts: [asWarm], ignoreHTTPSErrors: true };
+    const options = { viewport: kWindow, deviceScaleFactor: 0.5, scripts: kLight, ignoreHTTPSErrors: true };
     const opened = await openPage(kit.browser, address, options);
     t.after(opened.close);
     const { page } = opened;

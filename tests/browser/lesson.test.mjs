@@ -15,6 +15,7 @@ import {
   done,
   downloaded,
   idle,
+  kLight,
   kPhone,
   kSharp,
   kWindow,
@@ -61,7 +62,8 @@ const handIn = (page) => strip(page).getByRole('button', { name: 'Hand in' }).cl
 const sentence = (page, text) => page.getByText(text).first().waitFor();
 
 async function open(options = {}, address = site.url) {
-  const opened = await openPage(kit.browser, address, { viewport: kWindow, deviceScaleFactor: 0.5, ...options });
+  const light = { viewport: kWindow, deviceScaleFactor: 0.5, scripts: kLight };
+  const opened = await openPage(kit.browser, address, { ...light, ...options });
   await opened.page.evaluate(() => window.spineloft.ready);
   return opened;
 }

@@ -9,7 +9,7 @@ import { openPage } from '../../.ci/lib/browser.mjs';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { serveFolder } from '../../.ci/lib/server.mjs';
 import {
-  asWarm,
+  kLight,
   done,
   idle,
   kEngines,
@@ -43,7 +43,7 @@ async function visit(t, { url }) {
     viewport: kWindow,
     deviceScaleFactor: 0.5,
     serviceWorkers: 'allow',
-    scripts: [asWarm],
+    scripts: kLight,
   });
   t.after(() => opened.close());
   await opened.page.evaluate(async () => {

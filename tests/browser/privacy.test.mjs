@@ -6,7 +6,7 @@ import test from 'node:test';
 import { unzipSync } from 'three/addons/libs/fflate.module.js';
 import { openPage, startSite } from '../../.ci/lib/browser.mjs';
 import {
-  asWarm,
+  kLight,
   done,
   downloaded,
   exported,
@@ -104,7 +104,7 @@ for (const isolated of [true, false]) {
     const { page, close } = await openPage(kit.browser, site.url, {
       viewport: kWindow,
       deviceScaleFactor: 0.5,
-      scripts: [asWarm, noteWorkers],
+      scripts: [...kLight, noteWorkers],
     });
     t.after(close);
     await openWithPart(page, tube.png, tube.middle);
@@ -138,7 +138,7 @@ test('on a host that sends no policy the service worker asks its own host alone'
   const { page, context, close } = await openPage(kit.browser, site.url, {
     viewport: kWindow,
     serviceWorkers: 'allow',
-    scripts: [asWarm],
+    scripts: kLight,
   });
   t.after(close);
   await page.evaluate(() => navigator.serviceWorker.ready);

@@ -5,6 +5,7 @@ import { openPage, startSite } from '../../.ci/lib/browser.mjs';
 import { drawWithMouse } from './support/hands.mjs';
 import {
   asWarm,
+  kLight,
   difference,
   done,
   downloaded,
@@ -169,7 +170,7 @@ test('an idle page with a part and a sketch draws no frame and runs no timer', (
 for (const isolated of [true, false]) {
   test(`the site works from a sub-path of a host ${isolated ? 'with' : 'without'} isolation headers`, async () => {
     const site = await startSite({ isolated, basePath: '/tools/spine/' });
-    const { page, troubles, close } = await openPage(kit.browser, site.url, { viewport: kWindow, scripts: [asWarm] });
+    const { page, troubles, close } = await openPage(kit.browser, site.url, { viewport: kWindow, scripts: kLight });
     try {
       await page.evaluate(() => window.spineloft.ready);
       await openWithPart(page, tube.png, tube.middle);

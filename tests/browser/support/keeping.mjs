@@ -4,7 +4,7 @@ import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 import { browserFlags, browserPath } from '../../../.ci/lib/browser.mjs';
-import { asWarm, onPage, openWithPart } from './page.mjs';
+import { kLight, onPage, openWithPart } from './page.mjs';
 import { tubePicture } from './pictures.mjs';
 
 /** A picture so small that everything about it is quick. */
@@ -87,7 +87,7 @@ export async function startMortalBrowser(folder) {
     }
     const browser = await chromium.connectOverCDP(`http://127.0.0.1:${readFileSync(told, 'utf8').split('\n')[0]}`);
     const page = await browser.contexts()[0].newPage();
-    await page.addInitScript(asWarm);
+    for (const script of kLight) await page.addInitScript(script);
     return { page, kill };
   } catch (error) {
     await kill();

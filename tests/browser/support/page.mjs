@@ -44,6 +44,9 @@ export function withoutDrawing() {
     WebGL2RenderingContext.prototype[name] = () => undefined;
   window.drawsNothing = true;
 }
+/** Scripts of pages that no test looks at. */
+export const kLight = kAllDraw ? [asWarm] : [asWarm, withoutDrawing];
+
 const assertDraws = async (page) =>
   assert.ok(!(await page.evaluate(() => window.drawsNothing)), 'a test that looks at pixels wants a page that draws');
 
@@ -106,14 +109,14 @@ export function useSite(prepare) {
     scripts = [],
     firstVisit,
     warmsUp,
-    draws = kAllDraw,
+    draws = false,
     ...context
   } = {}) => {
-    const before = [...(warmsUp ? [] : [asWarm]), ...(draws ? [] : [withoutDrawing])];
+    const first = kLight.filter((script) => !(warmsUp && script === asWarm) && !(draws && script === withoutDrawing));
     const opened = await openPage(kit.browser, kit.sites[isolated].url + query, {
       ...kQuick,
       ...context,
-      scripts: [...before, ...scripts],
+      scripts: [...first, ...scripts],
     });
     await opened.page.evaluate(() => window.spineloft.ready);
     // The first tools are for a first visit; `firstVisit` tests what that shows.

@@ -136,7 +136,8 @@ double apart(const mesh::TriMesh& of, const mesh::TriMesh& from) {
 
 }  // namespace
 
-TEST_CASE("links are short, and every rib end is at most a quarter of a pixel off in each direction") {
+TEST_CASE("links are short, and every rib end is at most a quarter of a pixel off in each direction" *
+          doctest::test_suite("slow")) {
   struct Case {
     Document document;
     std::size_t characters;
@@ -154,8 +155,8 @@ TEST_CASE("links are short, and every rib end is at most a quarter of a pixel of
   }
 }
 
-TEST_CASE(
-    "the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels") {
+TEST_CASE("the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels" *
+          doctest::test_suite("slow")) {
   for (const Document& document : {onPhoto(40), ofLimbs(7, 40)}) {
     const pipeline::Derived before = derivedOf(document);
     const pipeline::Derived after = derivedOf(io::readShareText(shareModel(document, before).value().text).value());

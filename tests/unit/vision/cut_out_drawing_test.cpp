@@ -73,7 +73,8 @@ constexpr PicturePoint kMiddle{420, 340};
 
 }  // namespace
 
-TEST_CASE("a tap in a closed line gives what the middle of the line surrounds, with thin and thick pens and gaps") {
+TEST_CASE("a tap in a closed line gives what the middle of the line surrounds, with thin and thick pens and gaps" *
+          doctest::test_suite("slow")) {
   for (const double pen : {1.5, 4.0, 12.0}) {
     for (const double gap : {0.0, 0.02, 0.06}) {  // of the way round; the last one is a fifth of the width
       for (const bool photo : {false, true}) {

@@ -78,7 +78,8 @@ constexpr double kFirst = 60, kLast = 360, kStep = 5;
 
 TEST_CASE(
     "from pen move to mesh a stroke like the one before asks for no memory, whatever its ends and its slice, and with "
-    "pressure") {
+    "pressure" *
+    doctest::test_suite("slow")) {
   Desk desk;
   std::size_t asked[2] = {};
   SUBCASE("round ends, a circle") {}
