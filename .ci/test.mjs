@@ -46,7 +46,7 @@ const kSanitizers = {
 /** Whether random tests go on for long, as in `npm run test:all`. */
 const many = (env) => env.SPINELOFT_ROUNDS > 1;
 
-/** The program with every other seed of random tests: two builds share them out. */
+/** The program with every other seed of long random tests: two builds share them out. */
 const withSeeds = (program, seeds) => ({ ...program, env: { ...program.env, SPINELOFT_SEEDS: seeds } });
 
 const underNode = (name) => ({

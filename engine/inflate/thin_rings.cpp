@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 #include "engine/inflate/crossing.h"
 
 namespace spineloft::inflate {
 namespace {
 
 using Curve = std::vector<SectionPoint>;
+
+constexpr double kSame = 1e-9;  // pixels
 
 /// Pixels of a unit of s and of one of z, where the region is widest.
 SectionPoint unitsOf(std::span<const EditedSkeleton> bones, double side, const InflateParams& params) {
@@ -64,13 +67,19 @@ std::optional<Curve> thickened(const ProfileCurve& ring, SectionPoint units, dou
   Curve curve;
   double length = 0;
   for (const SectionPoint p : ring.points) curve.push_back({p.x * units.x, p.y * units.y});
+  curve = geometry::dropRepeats(std::span<const SectionPoint>(curve), kSame);
+  const auto [low, high] = std::ranges::minmax(curve, {}, &SectionPoint::y);
   for (std::size_t i = 0; i < curve.size(); ++i) length += distance(curve[i], curve[(i + 1) % curve.size()]);
   const double thick = 2 * geometry::signedArea(std::span<const SectionPoint>(curve)) / length;
   if (thick <= 0 || thick >= least) return std::nullopt;
   curve = grown(curve, (least - thick) / 2);
   const auto [inner, outer] = std::ranges::minmax(curve, {}, &SectionPoint::x);
   const double in = std::max(0.0, outer.x - units.x), out = std::max(0.0, kNearAxis * units.x - inner.x);
-  for (SectionPoint& p : curve) p = {(p.x + out - in) / units.x, p.y / units.y};
+  const auto [below, above] = std::ranges::minmax(curve, {}, &SectionPoint::y);
+  double up = 0;  // what lies on one side of the plane stays there
+  if (low.y >= 0) up = std::max(0.0, -below.y);
+  if (high.y <= 0) up = std::min(0.0, -above.y);
+  for (SectionPoint& p : curve) p = {(p.x + out - in) / units.x, (p.y + up) / units.y};
   return curve;
 }
 

@@ -14,8 +14,9 @@ namespace spineloft::inflate {
 /// twice its area over its length.
 inline constexpr double kLeastRing = 0.002;
 
-/// Makes the thinner ones so thick, all round; where that would let one meet another curve or leave the region, it is
-/// moved, or stays as it was drawn. How many are thicker now. `bones`: of all pieces of the region.
+/// Makes the thinner ones so thick, all round; where that would take one out of the region or through the
+/// picture's plane it is moved, where it would meet another curve it stays as it was drawn. How many are thicker now.
+/// `bones`: of all pieces of the region.
 int thickenRings(MatchedCurves& curves, std::span<const EditedSkeleton> bones, image::Size picture,
                  const InflateParams& params);
 

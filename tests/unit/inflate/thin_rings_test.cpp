@@ -64,6 +64,16 @@ TEST_CASE("a thin ring at the outline grows inwards") {
   for (const auto& [x, y, z] : tube.mesh.positions) CHECK(std::hypot(x - 200, y + 200) < 120.01);
 }
 
+TEST_CASE("a thin ring of a puff of one side stays on that side") {
+  InflateParams params = boxes({{0.5, 0.501}});
+  for (const InflateSides side : {InflateSides::Front, InflateSides::Back}) {
+    params.sides = side;
+    CHECK(thinRingsOf("disc", params) == 1);
+    const Puffed tube = puffed(namedShape("disc").contours, params);
+    for (const auto& [x, y, z] : tube.mesh.positions) CHECK((side == InflateSides::Front ? z : -z) > -1e-6f);
+  }
+}
+
 TEST_CASE("thin rings next to each other stay as they were drawn, lawful and apart") {
   const InflateParams params = boxes({{0.5, 0.501}, {0.503, 0.504}});
   CHECK(thinRingsOf("disc", params) == 0);
