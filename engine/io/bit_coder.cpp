@@ -10,13 +10,10 @@ namespace {
 
 /// Below this the range is widened by a byte.
 constexpr std::uint32_t kLeastRange = 1U << 24;
-/// Bits of a natural number above this length are not learned.
-constexpr int kLearnedBits = 2;
-
 constexpr std::uint64_t within(std::uint64_t context, std::uint64_t place) { return context * 4096 + place; }
 
-/// Weights change by odds · error / this, and stay below the most.
-constexpr std::int32_t kSlowness = 512, kMostWeight = 65536 * 4;
+/// Weights stay below this.
+constexpr std::int32_t kMostWeight = 65536 * 4;
 
 /// 4096 / (1 + exp(−odds / 256)), by straight lines between 33 places.
 std::int32_t chanceOf(std::int32_t odds) {
@@ -46,13 +43,13 @@ std::int32_t logOdds(std::uint32_t chance) {
 
 }  // namespace
 
-void Chance::learn(bool bit, std::uint32_t first) {
+void Chance::learn(bool bit, const Pace& pace) {
   constexpr std::uint32_t kLeast = 64, kMost = 65536 - kLeast;
-  const std::uint32_t weight = 4U * seen_ + first;
+  const std::uint32_t weight = 4U * seen_ + pace.firstWeight;
   const std::uint32_t now = zero_;
   const std::uint32_t next = bit ? now - 4 * now / weight : now + 4 * (65536 - now) / weight;
   zero_ = static_cast<std::uint16_t>(next < kLeast ? kLeast : next > kMost ? kMost : next);
-  if (weight < 4 * kSlowest) ++seen_;
+  if (weight < 4 * pace.slowest) ++seen_;
 }
 
 BitCoder::Mixed::Mixed(std::initializer_list<std::uint64_t> contexts) : count_(contexts.size()) {
@@ -73,7 +70,7 @@ bool BitCoder::bit(const Mixed& mixed, bool value) {
   if (contexts.size() == 1) {
     Chance& chance = chances_.of[contexts[0]];
     const bool coded = code(chance.ofZero(), value);
-    chance.learn(coded, chances_.firstWeight);
+    chance.learn(coded, chances_.pace);
     return coded;
   }
   constexpr std::int32_t kFirstWeight = 65536 * 4 / 10;
@@ -89,8 +86,8 @@ bool BitCoder::bit(const Mixed& mixed, bool value) {
   const bool coded = code(static_cast<std::uint32_t>(ofZero) * 16, value);
   const std::int32_t error = (coded ? 0 : 4096) - ofZero;
   for (std::size_t i = 0; i < contexts.size(); ++i) {
-    weights[i] = std::clamp(weights[i] + odds[i] * error / kSlowness, -kMostWeight, kMostWeight);
-    chances_.of[contexts[i]].learn(coded, chances_.firstWeight);
+    weights[i] = std::clamp(weights[i] + odds[i] * error / chances_.pace.mixing, -kMostWeight, kMostWeight);
+    chances_.of[contexts[i]].learn(coded, chances_.pace);
   }
   return coded;
 }
@@ -114,7 +111,7 @@ std::uint64_t BitCoder::natural(const Mixed& contexts, std::uint64_t value) {
   const int wanted = static_cast<int>(std::bit_width(value + 1)) - 1;
   int length = 0;
   while (length < 63 && bit(contexts.at(static_cast<std::uint64_t>(length)), wanted > length)) ++length;
-  const int learned = length < kLearnedBits ? length : kLearnedBits;
+  const int learned = std::min(length, chances_.pace.bits);
   const int rest = length - learned;
   std::uint64_t out = 1;
   const std::uint64_t known = value + 1;

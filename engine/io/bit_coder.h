@@ -13,17 +13,23 @@
 
 namespace spineloft::io {
 
-/// How likely the next bit of a context is 0, from the bits seen there: after n bits a new one weighs 1 / (n + first),
-/// and never less than 1 / kSlowest.
+/// How quickly is learned.
+struct Pace {
+  std::uint32_t firstWeight = 8;  ///< of Chance, > 4, in quarters: the less, the more a first bit tells
+  std::uint32_t slowest = 32;     ///< of Chance
+  std::int32_t mixing = 512;      ///< weights of mixtures change by odds · error / this
+  int bits = 2;                   ///< so many bits of a number behind its first one
+};
+
+/// How likely the next bit of a context is 0, from the bits seen there: after n bits a new one weighs
+/// 1 / (n + firstWeight / 4), and never less than 1 / slowest.
 class Chance {
  public:
   /// Of a zero, in 1/65536, away from certainty.
   std::uint32_t ofZero() const { return zero_; }
-  /// `first` > 1 in quarters.
-  void learn(bool bit, std::uint32_t first);
+  void learn(bool bit, const Pace& pace);
 
  private:
-  static constexpr std::uint32_t kSlowest = 32;
   std::uint16_t zero_ = 1U << 15;
   std::uint16_t seen_ = 0;
 };
@@ -36,7 +42,7 @@ using Weights = std::array<std::int32_t, kMostMixed>;
 struct Chances {
   std::unordered_map<std::uint64_t, Chance> of;
   std::unordered_map<std::uint64_t, Weights> weights;
-  std::uint32_t firstWeight = 8;  ///< Chance::learn: the less, the more a first bit tells
+  Pace pace = {};
 };
 
 /// Writes or reads the same calls in the same order: `bit` returns the bit that was handed in, or the one that was

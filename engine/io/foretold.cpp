@@ -71,15 +71,94 @@ std::size_t offCost(std::int64_t off) {
   return off == 0 ? 4 : 8 + 5 * static_cast<std::size_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
 }
 
+std::int64_t EvenLine::lengthOf(std::span<const std::int64_t> numbers) {
+  double sum = 0;
+  for (std::size_t i = 2; i + 1 < numbers.size(); i += 2) {
+    const auto x = static_cast<double>(numbers[i] - numbers[i - 2]);
+    const auto y = static_cast<double>(numbers[i + 1] - numbers[i - 1]);
+    sum += std::sqrt(x * x + y * y);
+  }
+  const auto steps = static_cast<double>(std::max<std::size_t>(2, numbers.size() / 2) - 1);
+  return std::llround(std::min(sum / steps * kLengthParts, double{kMostLength}));
+}
+
+std::int64_t EvenLine::expectedAfter(std::int64_t first) const {
+  const std::size_t i = numbers_.size(), other = 1 - first_;
+  if (i < 4) return expected_[other];
+  const std::int64_t from = numbers_[i - 2 + other], across = first - numbers_[i - 2 + first_];
+  if (std::abs(across) > kMostTurned) return from;
+  const std::int64_t left = length_ * length_ - kLengthParts * kLengthParts * across * across;
+  if (left <= 0) return from;
+  const std::int64_t along = std::llround(std::sqrt(static_cast<double>(left)) / kLengthParts);
+  return expected_[other] < from ? from - along : from + along;
+}
+
+void EvenLine::take(std::int64_t value) {
+  if (!halfTold_) {
+    told_ = value;
+    halfTold_ = true;
+    return;
+  }
+  halfTold_ = false;
+  takePoint(first_ == 0 ? told_ : value, first_ == 0 ? value : told_);
+}
+
+void EvenLine::takePoint(std::int64_t x, std::int64_t y) {
+  numbers_.insert(numbers_.end(), {x, y});
+  expectPoint();
+}
+
+void EvenLine::expectPoint() {
+  const std::size_t i = numbers_.size();
+  expected_ = {numbers_[i - 2], numbers_[i - 1]};
+  first_ = 0;
+  if (i < 4) return;
+  const auto step = [&](std::size_t to) {
+    return Pair{numbers_[to] - numbers_[to - 2], numbers_[to + 1] - numbers_[to - 1]};
+  };
+  Pair next = step(i - 2);
+  if (std::max(std::abs(next.x), std::abs(next.y)) > kMostTurned) return;
+  if (i >= 6) {
+    const Pair straight = next;
+    if (const auto turn = turned(step(i - 4), straight)) {
+      next.x += rounded(bend_ * (turn->x - straight.x), 4);
+      next.y += rounded(bend_ * (turn->y - straight.y), 4);
+    }
+  }
+  const double size = std::sqrt(static_cast<double>(next.x * next.x + next.y * next.y)) * kLengthParts;
+  if (size > 0) {
+    next.x = std::llround(static_cast<double>(next.x * length_) / size);
+    next.y = std::llround(static_cast<double>(next.y * length_) / size);
+  }
+  expected_[0] += next.x;
+  expected_[1] += next.y;
+  first_ = std::abs(next.x) >= std::abs(next.y) ? 1 : 0;
+}
+
+std::vector<std::int64_t> offs(const Mode& mode, std::span<const std::int64_t> values) {
+  std::vector<std::int64_t> out;
+  if (mode.even) {
+    EvenLine line(EvenLine::lengthOf(values), mode.bend);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::int64_t value = values[i - i % 2 + line.axis()];
+      out.push_back(value - line.expected());
+      line.take(value);
+    }
+    return out;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    out.push_back(values[i] - foretold(mode, values.first(i), values.size()));
+  return out;
+}
+
 std::uint32_t bestMode(std::span<const std::int64_t> values, std::size_t modes) {
   std::uint32_t best = 0;
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
   for (std::uint32_t m = 0; m < modes; ++m) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::int64_t off = values[i] - foretold(kModes[m], values.first(i), values.size());
+    if (kModes[m].even && values.size() % 2 != 0) continue;
+    std::uint64_t bits = kModes[m].even ? 12 : 0;
+    for (const std::int64_t off : offs(kModes[m], values))
       bits += 2 * static_cast<std::uint64_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(off))));
-    }
     if (bits < least) {
       least = bits;
       best = m;

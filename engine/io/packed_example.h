@@ -72,4 +72,9 @@ inline constexpr const char* kPackedWords =
     R"(endFan":null},"terms":["ball","egg","box","cylinder","capsule","cone","pyramid","half-ball","length","share")"
     R"(,"kept","back","top","all","stack","shape","element"]})";
 
+/// And from version 6 on. Pictures that come from a phone or a browser are often called like the last ones.
+inline constexpr const char* kPackedLaterWords =
+    R"({"words":{"amount":null,"as":null,"base":null,"first":null,"keepDrawn":null,"last":null,"patterns":null,")"
+    R"(rough":null,"seed":null,"spacing":null,"times":null},"terms":["IMG","photo","picture","image"]})";
+
 }  // namespace spineloft::io

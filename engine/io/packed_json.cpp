@@ -7,16 +7,13 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 
 #include "engine/base/text.h"
 #include "engine/io/bit_coder.h"
 #include "engine/io/foretold.h"
-#include "engine/io/packed_example.h"
-#include "engine/io/packed_parts.h"
-#include "engine/io/packed_traces.h"
+#include "engine/io/packed_dialect.h"
 
 namespace spineloft::io {
 namespace {
@@ -55,38 +52,6 @@ constexpr std::int64_t kMostOther = 1023;
 constexpr double kMostWhole = 1125899906842624;  // 2⁵⁰
 /// Largest power of two that numbers of a list are known to be multiples of.
 constexpr std::uint64_t kMostSpread = 50;
-
-enum class Traced : std::uint8_t { None, Ribs, RibsAndFans };
-
-/// What the versions of the text differ in.
-struct Dialect {
-  std::size_t modes;  ///< so many of kModes
-  int modeBits;       ///< of the number of a mode
-  int divisorBits;    ///< of the number of a divisor
-  /// kOther, Kind::Colour, a bit for what is as in the row above, lists of multiples of a power of two, words that were
-  /// spelled before, and a difference is coded after what the two before tell.
-  bool later;
-  bool near;                                 ///< and after how far the two numbers before are from the expected one
-  std::uint32_t firstWeight;                 ///< Chances::firstWeight
-  std::array<std::string_view, 8> examples;  ///< what both sides know beforehand, what is most usual last
-  Traced traced;                             ///< and then tracedModels(), whose words are spelled
-  bool halved;                               ///< a row in the middle of a table may begin anew
-};
-constexpr std::array<Dialect, kPackedVersion> kDialects{{
-    {5, 3, 5, false, false, 8, {kPackedExample}, Traced::None, false},
-    {8,
-     3,
-     6,
-     true,
-     false,
-     8,
-     {kPackedExample, kPackedPart1, kPackedPart2, kPackedPart3, kPackedPart4, kPackedPart5, kPackedPart6, kPackedPart7},
-     Traced::None,
-     false},
-    {9, 4, 6, true, true, 5, {kPackedExample}, Traced::Ribs, false},
-    {11, 4, 6, true, true, 5, {kPackedExample}, Traced::Ribs, true},
-    {11, 4, 6, true, true, 5, {kPackedExample, kPackedWords}, Traced::RibsAndFans, true},
-}};
 
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 
@@ -130,6 +95,8 @@ std::optional<std::uint32_t> colourOf(const std::string& text) {
   }
   return colour;
 }
+/// A channel of 8 bits of one of 5.
+std::int64_t fullColour(std::int64_t channel) { return channel * 8 + channel / 4; }
 std::string textOfColour(std::uint32_t colour) {
   std::string text = "#";
   for (int shift = 20; shift >= 0; shift -= 4) text += kHexDigits[colour >> shift & 15];
@@ -179,43 +146,6 @@ Kind kindOf(const Json& value, const Dialect& dialect) {
   }
 }
 
-void collectWords(const Json& value, std::set<std::string>& words) {
-  if (value.is_string()) words.insert(value.get<std::string>());
-  if (!value.is_structured()) return;
-  for (const auto& [key, element] : value.items()) {
-    if (value.is_object()) words.insert(key);
-    collectWords(element, words);
-  }
-}
-
-/// The examples, and the words in them: a word is coded by its number, others by their letters.
-struct Example {
-  std::vector<Json> documents;
-  std::vector<std::string> words;
-};
-template <int version>
-const Example& exampleOnce() {
-  static const Example made = [] {
-    Example out;
-    std::set<std::string> words;
-    for (const std::string_view text : kDialects[version - 1].examples) {
-      if (text.empty()) continue;
-      out.documents.push_back(Json::parse(text, nullptr, false));
-      collectWords(out.documents.back(), words);
-    }
-    out.words.assign(words.begin(), words.end());
-    const Traced traced = kDialects[version - 1].traced;
-    if (traced != Traced::None)
-      std::ranges::move(tracedModels(traced == Traced::RibsAndFans), std::back_inserter(out.documents));
-    return out;
-  }();
-  return made;
-}
-const Example& exampleOf(int version) {
-  static constexpr std::array kOnce{exampleOnce<1>, exampleOnce<2>, exampleOnce<3>, exampleOnce<4>, exampleOnce<5>};
-  static_assert(kOnce.size() == kPackedVersion);
-  return kOnce[static_cast<std::size_t>(version - 1)]();
-}
 constexpr int kWordBits = 9;
 constexpr std::uint32_t kEnd = 0, kSpelled = 1, kFirstWord = 2;
 
@@ -226,7 +156,7 @@ class Packer {
   Packer(BitCoder& coder, Direction direction, int version, const PackBounds& bounds = {})
       : coder_(coder),
         reads_(direction == Direction::Reads),
-        dialect_(kDialects[static_cast<std::size_t>(version - 1)]),
+        dialect_(dialectOf(version)),
         words_(exampleOf(version).words),
         left_(bounds.values),
         deepest_(bounds.depth) {}
@@ -265,8 +195,15 @@ class Packer {
   std::int64_t divisor(std::span<const double> in, std::uint64_t context);
   BitCoder::Mixed signsAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const;
   BitCoder::Mixed sizesAfter(const std::array<std::int64_t, 2>& before, const Spot& spot) const;
+  std::uint32_t colour(std::uint32_t in, std::uint64_t key);
   double fraction(double in, std::uint64_t key);
   std::vector<double> numbers(std::span<const double> in, std::size_t count, std::uint64_t key);
+  bool isTooLarge(std::int64_t guess, std::int64_t off, std::int64_t unit);
+  /// In multiples of `unit`, by a mode of kModes that is even or not.
+  std::vector<std::int64_t> wholeOnes(std::span<const std::int64_t> in, std::size_t count, std::int64_t unit,
+                                      std::uint64_t key, std::uint32_t mode);
+  std::vector<std::int64_t> evenOnes(std::span<const std::int64_t> in, std::size_t count, std::int64_t unit,
+                                     std::uint64_t key, std::uint32_t mode);
   Json list(const Json& in, std::uint64_t key, int depth);
   Json table(const Json& in, std::uint64_t key, int depth);
   Json object(const Json& in, std::uint64_t key, int depth);
@@ -340,6 +277,28 @@ std::int64_t Packer::divisor(std::span<const double> in, std::uint64_t context) 
   return 1;
 }
 
+std::uint32_t Packer::colour(std::uint32_t in, std::uint64_t key) {
+  if (!dialect_.greyColours) return static_cast<std::uint32_t>(coder_.plain(24, in));
+  const auto channel = [&](int shift) { return static_cast<std::int64_t>(in >> shift & 255); };
+  const auto isCoarse = [](std::int64_t value) { return value == fullColour(value / 8); };
+  const bool coarse =
+      coder_.bit(context(key, Place::Mode, 512), isCoarse(channel(0)) && isCoarse(channel(8)) && isCoarse(channel(16)));
+  const std::int64_t by = coarse ? 8 : 1;
+  const std::int64_t green =
+      static_cast<std::int64_t>(coder_.plain(coarse ? 5 : 8, static_cast<std::uint64_t>(channel(8) / by)));
+  std::uint32_t out = 0;
+  for (const int shift : {16, 8, 0}) {
+    std::int64_t value = green;
+    if (shift != 8)
+      value += coder_.integer(context(key, Place::Mode, (coarse ? 516U : 514U) + (shift == 0 ? 1U : 0U)),
+                              channel(shift) / by - channel(8) / by);
+    if (value < 0 || value > 255 / by) failed_ = true;
+    if (failed_) return 0;
+    out |= static_cast<std::uint32_t>(coarse ? fullColour(value) : value) << shift;
+  }
+  return out;
+}
+
 double Packer::fraction(double in, std::uint64_t key) {
   const std::int64_t by = divisor({&in, 1}, context(key, Place::Divisor));
   if (by == 0) return raw(in);
@@ -406,13 +365,29 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
     failed_ = true;
     return {};
   }
+  for (const std::int64_t number :
+       kModes[coded].even ? evenOnes(whole, count, unit, key, coded) : wholeOnes(whole, count, unit, key, coded)) {
+    out.push_back(static_cast<double>(number * unit) / static_cast<double>(by));
+  }
+  return out;
+}
+
+/// Only numbers that were not written can grow so large.
+bool Packer::isTooLarge(std::int64_t guess, std::int64_t off, std::int64_t unit) {
+  if (std::abs(static_cast<double>(guess) + static_cast<double>(off)) * static_cast<double>(unit) > kMostWhole)
+    failed_ = true;
+  return failed_;
+}
+
+std::vector<std::int64_t> Packer::wholeOnes(std::span<const std::int64_t> in, std::size_t count, std::int64_t unit,
+                                            std::uint64_t key, std::uint32_t coded) {
   const Mode& mode = kModes[coded];
   std::vector<std::int64_t> known;
   std::array<std::int64_t, 2> before{};  // the differences
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t guess = foretold(mode, known, count);
     const bool first = mode.order > 0 && i < mode.stride;
-    const std::int64_t difference = reads_ ? 0 : whole[i] - guess;
+    const std::int64_t difference = reads_ ? 0 : in[i] - guess;
     const auto awayBy = [&](std::size_t back) { return i < back ? 0 : known[i - back] - guess; };
     const Spot spot{key, coded, i, count, {awayBy(mode.stride), awayBy(2 * mode.stride)}};
     std::int64_t off = 0;
@@ -424,15 +399,38 @@ std::vector<double> Packer::numbers(std::span<const double> in, std::size_t coun
       off = coder_.integer(context(key, Place::Rest, coded * 2 + i % mode.stride), difference);
     }
     if (!first) before = {off, before[0]};
-    // Only numbers that were not written can grow so large.
-    if (std::abs(static_cast<double>(guess) + static_cast<double>(off)) * static_cast<double>(unit) > kMostWhole) {
-      failed_ = true;
-      return {};
-    }
+    if (isTooLarge(guess, off, unit)) return {};
     known.push_back(guess + off);
-    out.push_back(static_cast<double>(known.back() * unit) / static_cast<double>(by));
   }
-  return out;
+  return known;
+}
+
+std::vector<std::int64_t> Packer::evenOnes(std::span<const std::int64_t> in, std::size_t count, std::int64_t unit,
+                                           std::uint64_t key, std::uint32_t coded) {
+  const std::uint64_t length =
+      coder_.natural(context(key, Place::Mode, 1), reads_ ? 0 : static_cast<std::uint64_t>(EvenLine::lengthOf(in)));
+  if (count % 2 != 0 || length > std::uint64_t{EvenLine::kMostLength}) {
+    failed_ = true;
+    return {};
+  }
+  EvenLine line(static_cast<std::int64_t>(length), kModes[coded].bend);
+  std::array<std::array<std::int64_t, 2>, 2> before{};  // the last differences of first numbers and of others
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t guess = line.expected();
+    const std::int64_t difference = reads_ ? 0 : in[i - i % 2 + line.axis()] - guess;
+    std::array<std::int64_t, 2>& last = before[i % 2];
+    const Spot spot{key, coded, i, count, last};
+    std::int64_t off = 0;
+    if (i < 4) {
+      off = coder_.integer(context(key, Place::First, 1 + i), difference);
+    } else {
+      off = coder_.integer(sizesAfter(last, spot), signsAfter(last, spot), difference);
+      last = {off, last[0]};
+    }
+    if (isTooLarge(guess, off, unit)) return {};
+    line.take(guess + off);
+  }
+  return {line.numbers().begin(), line.numbers().end()};
 }
 
 Json Packer::table(const Json& in, std::uint64_t key, int depth) {
@@ -530,10 +528,8 @@ Json Packer::value(const Json& in, std::uint64_t key, int depth) {
       return list(in, key, depth + 1);
     case Kind::Object:
       return object(in, key, depth + 1);
-    case Kind::Colour: {
-      const std::uint32_t known = reads_ ? 0 : colourOf(in.get_ref<const std::string&>()).value_or(0);
-      return textOfColour(static_cast<std::uint32_t>(coder_.plain(24, known)));
-    }
+    case Kind::Colour:
+      return textOfColour(colour(reads_ ? 0 : colourOf(in.get_ref<const std::string&>()).value_or(0), key));
   }
   failed_ = true;
   return {};
@@ -543,8 +539,8 @@ Json Packer::value(const Json& in, std::uint64_t key, int depth) {
 template <int version>
 const Chances& learnedOnce() {
   static const Chances made = [] {
-    BitLearner learner(Chances{{}, {}, kDialects[version - 1].firstWeight});
-    if (kDialects[version - 1].later) {
+    BitLearner learner(Chances{{}, {}, dialectOf(version).pace});
+    if (dialectOf(version).later) {
       Packer packer(learner, Packer::Direction::Writes, version);
       for (const std::string& word : exampleOf(version).words) packer.letters(word);
     }
@@ -556,7 +552,8 @@ const Chances& learnedOnce() {
   return made;
 }
 const Chances& learned(int version) {
-  static constexpr std::array kOnce{learnedOnce<1>, learnedOnce<2>, learnedOnce<3>, learnedOnce<4>, learnedOnce<5>};
+  static constexpr std::array kOnce{learnedOnce<1>, learnedOnce<2>, learnedOnce<3>,
+                                    learnedOnce<4>, learnedOnce<5>, learnedOnce<6>};
   static_assert(kOnce.size() == kPackedVersion);
   return kOnce[static_cast<std::size_t>(version - 1)]();
 }
@@ -567,9 +564,9 @@ bool isPackedWord(std::string_view text) {
   return std::ranges::binary_search(exampleOf(kPackedVersion).words, text, std::less<>());
 }
 
-Result<std::vector<std::uint8_t>> packJson(const Json& value, const PackBounds& bounds) {
-  BitWriter writer(learned(kPackedVersion));
-  Packer packer(writer, Packer::Direction::Writes, kPackedVersion, bounds);
+Result<std::vector<std::uint8_t>> packJson(const Json& value, const PackBounds& bounds, int version) {
+  BitWriter writer(learned(version));
+  Packer packer(writer, Packer::Direction::Writes, version, bounds);
   packer.value(value, 0, 0);
   if (packer.failed()) return Error::OutOfMemory;
   return writer.finish();

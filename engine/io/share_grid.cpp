@@ -134,10 +134,10 @@ std::size_t listCost(std::span<const double> numbers, double step) {
   for (std::int64_t& number : whole) number /= std::int64_t{1} << zeros;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const Mode& mode : kModes) {
-    std::size_t sum = 0;
-    for (std::size_t i = 2; i < whole.size(); ++i) {
-      sum += offCost(whole[i] - foretold(mode, std::span(whole).first(i), whole.size()));
-    }
+    if (mode.even && whole.size() % 2 != 0) continue;
+    std::size_t sum = mode.even ? 4 * 6 : 0;
+    const std::vector<std::int64_t> off = offs(mode, whole);
+    for (std::size_t i = 2; i < off.size(); ++i) sum += offCost(off[i]);
     least = std::min(least, sum);
   }
   return least;

@@ -1,6 +1,7 @@
 #include "engine/io/share_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "engine/io/document_json.h"
 #include "engine/io/packed_json.h"
 #include "engine/io/picture_file.h"
+#include "engine/io/share_digits.h"
 #include "engine/io/share_ends.h"
 #include "engine/io/share_grid.h"
 #include "engine/io/share_slices.h"
@@ -122,13 +124,6 @@ Result<Document> documentOf(Json json, int version, ReadNotes* notes, const Copi
 constexpr std::size_t kSumBytes = 3;
 constexpr std::uint32_t kSumMask = 0xFFFFFF;
 
-constexpr std::string_view kDigits64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-
-int digitOf(char c) {
-  const std::size_t at = kDigits64.find(c);
-  return at == std::string_view::npos ? -1 : static_cast<int>(at);
-}
-
 /// Five bits a character, lowest first; all but the last are above 31.
 void appendNumber(std::string& text, std::size_t value) {
   for (; value >= 32; value /= 32) text += kDigits64[32 + value % 32];
@@ -148,37 +143,10 @@ std::optional<std::size_t> takeNumber(std::string_view& text) {
   return std::nullopt;
 }
 
-std::string toText(std::span<const std::uint8_t> bytes) {
-  std::string text;
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const std::uint8_t byte : bytes) {
-    bits = bits << 8 | byte;
-    for (held += 8; held >= 6; held -= 6) text += kDigits64[bits >> (held - 6) & 63];
-  }
-  if (held > 0) text += kDigits64[bits << (6 - held) & 63];
-  return text;
-}
-
-/// None when a character is no digit, or bits are left over that are not 0.
-std::optional<std::vector<std::uint8_t>> toBytes(std::string_view text) {
-  std::vector<std::uint8_t> bytes;
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    const int digit = digitOf(c);
-    if (digit < 0) return std::nullopt;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes.push_back(static_cast<std::uint8_t>(bits >> held));
-  }
-  const bool rest = held >= 6 || (bits & ((1U << held) - 1)) != 0;
-  return rest ? std::nullopt : std::optional(std::move(bytes));
-}
-
 int versionOf(std::string_view text) { return text.front() - '0'; }
+
+/// The last one knows most of traced parts, the one before of all other kinds. Their documents are the same.
+constexpr std::array<int, 2> kWrittenVersions{kShareVersion, kShareVersion - 1};
 
 std::uint32_t takeSum(std::span<const std::uint8_t> bytes) {
   std::uint32_t sum = 0;
@@ -283,9 +251,15 @@ std::string sealShareText(std::vector<std::uint8_t> packed, int version) {
 }
 
 Result<std::string> writeShareText(const Document& document, const PhotoCopies& copies) {
-  Result<std::vector<std::uint8_t>> packed = packJson(keptJson(document, copies));
-  if (!packed.ok()) return packed.failure();
-  return sealShareText(std::move(packed).value());
+  const Json json = keptJson(document, copies);
+  std::string shortest;
+  for (const int version : kWrittenVersions) {
+    Result<std::vector<std::uint8_t>> packed = packJson(json, {}, version);
+    if (!packed.ok()) return packed.failure();
+    std::string text = sealShareText(std::move(packed).value(), version);
+    if (shortest.empty() || text.size() < shortest.size()) shortest = std::move(text);
+  }
+  return shortest;
 }
 
 bool isShareText(std::string_view text) {

@@ -17,8 +17,8 @@
 
 namespace spineloft::io {
 
-/// What texts are written as; 1 … this are read.
-inline constexpr int kShareVersion = 5;
+/// What texts are written as, or as the version before where that is shorter; 1 … this are read.
+inline constexpr int kShareVersion = 6;
 /// Longest text that is read, characters.
 inline constexpr std::size_t kMostShareText = std::size_t{1} << 20;
 

@@ -21,9 +21,9 @@ struct LineFit {
 /// The largest of these distances from 0.
 double farthest(const std::vector<PicturePoint>& off);
 
-/// `count` ≥ 2 points, by least squares in a few steps (Gauss and Newton, each step by conjugate gradients: Hestenes
-/// and Stiefel 1952). The spine is that of ribs::cleanSpine where it has nothing to mend. wanted.points: ≥ 2. Cost:
-/// about 2 · count cleanings.
+/// `count` ≥ 2 points that are evenly apart, by damped least squares in a few steps over where the line begins, the
+/// length of its steps, and where each of them leads. The spine is that of ribs::cleanSpine where it has nothing to
+/// mend. wanted.points: ≥ 2. Cost: about 2 · count cleanings a step, and a system of count + 2 unknowns.
 LineFit fitLine(const ribs::Spine& wanted, std::size_t count, double smoothness);
 
 }  // namespace spineloft::publish

@@ -4,15 +4,20 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+
+#include "engine/io/foretold.h"
 
 namespace spineloft::publish {
 namespace {
 
 /// Lines that are followed.
-constexpr std::size_t kBeam = 8;
+constexpr std::size_t kBeam = 16;
 /// Places are looked at as far as this from where the fit is, in tolerances, and so many steps at the most.
 constexpr double kReach = 3;
-constexpr int kMostSteps = 5;
+constexpr std::int64_t kMostSteps = 5;
+/// The number of a point that follows from the length of the step is looked for so many steps about that.
+constexpr std::int64_t kSide = 1;
 /// What a point of the spine counts that is off by the tolerance, and each square of more: quarters of a bit.
 constexpr double kOff = 1, kTooFar = 4;
 
@@ -28,9 +33,9 @@ struct Rows {
 
 /// A line up to some point.
 struct Begun {
-  std::vector<std::int64_t> numbers;  ///< x, y, x, y … in steps
-  std::vector<PicturePoint> off;      ///< of the spine, as if the points to come were those of the fit
-  double cost = 0;                    ///< of the numbers and of the settled points of the spine, quarters of a bit
+  io::EvenLine even;              ///< in steps
+  std::vector<PicturePoint> off;  ///< of the spine, as if the points to come were those of the fit
+  double cost = 0;                ///< of the numbers and of the settled points of the spine, quarters of a bit
 };
 
 /// One more point of one of them.
@@ -42,14 +47,20 @@ struct Next {
 
 class Search {
  public:
-  Search(const LineFit& fit, const LineGrid& grid, const io::Mode& mode) : fit_(fit), grid_(grid), mode_(mode) {
-    lines_.push_back({{}, fit.off, 0});
+  Search(const LineFit& fit, const LineGrid& grid, std::int64_t bend) : fit_(fit), grid_(grid) {
+    lines_.push_back({{stepLength(), bend}, fit.off, 0});
   }
   /// Whether the i-th point has a place. They come in order.
   bool place(std::size_t i);
   GridLine best() const;
 
  private:
+  /// The mean step of the fit, as a text tells it.
+  std::int64_t stepLength() const {
+    double sum = 0;
+    for (std::size_t i = 1; i < fit_.points.size(); ++i) sum += distance(fit_.points[i - 1], fit_.points[i]);
+    return std::llround(sum / static_cast<double>(fit_.points.size() - 1) / grid_.step * io::EvenLine::kLengthParts);
+  }
   Rows rowsOf(std::size_t i) const;
   PicturePoint moved(std::size_t i, PicturePoint by, std::size_t row) const {
     return fit_.moves[2 * i][row] * by.x + fit_.moves[2 * i + 1][row] * by.y;
@@ -69,7 +80,6 @@ class Search {
 
   const LineFit& fit_;
   const LineGrid& grid_;
-  const io::Mode& mode_;
   std::vector<Begun> lines_;
   std::vector<Next> next_;  ///< the cheapest ones, as a heap
   double least_ = 0;
@@ -109,28 +119,24 @@ void Search::keep(const Next& next) {
 
 void Search::lookAround(std::size_t i, const Rows& rows, std::size_t line) {
   const Begun& begun = lines_[line];
-  const std::size_t count = 2 * fit_.points.size();
-  std::vector<std::int64_t> numbers = begun.numbers;
-  for (int k = 0; k < 2; ++k) numbers.push_back(io::foretold(mode_, numbers, count));
-  const std::int64_t expectedX = numbers[2 * i], expectedY = numbers[2 * i + 1];
+  const io::EvenLine& even = begun.even;
   const std::int64_t reach =
       std::min<std::int64_t>(kMostSteps, std::llround(std::ceil(kReach * grid_.tolerance / grid_.step)));
-  const std::int64_t middleX = std::llround(fit_.points[i].x / grid_.step);
-  const std::int64_t middleY = std::llround(fit_.points[i].y / grid_.step);
-  const auto bits = [&](std::int64_t number, std::int64_t expected) {
-    return i == 0 ? 0.0 : static_cast<double>(io::offCost(number - expected));
-  };
-  std::array<double, 2 * kMostSteps + 1> bitsOfY{};
-  for (std::int64_t k = 0; k <= 2 * reach; ++k) {
-    bitsOfY[static_cast<std::size_t>(k)] = bits(middleY - reach + k, expectedY);
-  }
-  for (std::int64_t x = middleX - reach; x <= middleX + reach; ++x) {
-    const double withX = begun.cost + bits(x, expectedX);
-    for (std::int64_t k = 0; k <= 2 * reach; ++k) {
-      const std::int64_t y = middleY - reach + k;
-      const double cost = withX + bitsOfY[static_cast<std::size_t>(k)];
+  const std::array<std::int64_t, 2> middle{std::llround(fit_.points[i].x / grid_.step),
+                                           std::llround(fit_.points[i].y / grid_.step)};
+  const auto bits = [&](std::int64_t off) { return i == 0 ? 0.0 : static_cast<double>(io::offCost(off)); };
+  const std::size_t axis = even.axis();
+  // The first points say where the line begins and leads to, and the last one where it ends: in both directions.
+  const bool free = i < 2 || i + 1 == fit_.points.size();
+  for (std::int64_t first = middle[axis] - reach; first <= middle[axis] + reach; ++first) {
+    const double withFirst = begun.cost + bits(first - even.expected());
+    const std::int64_t expected = even.expectedAfter(first);
+    const std::int64_t side = free ? reach : kSide, about = free ? middle[1 - axis] : expected;
+    for (std::int64_t second = about - side; second <= about + side; ++second) {
+      const double cost = withFirst + bits(second - expected);
       const double most = (next_.size() < kBeam ? kNoLine : next_.front().all) - cost;
       if (!(most > 0)) continue;
+      const std::int64_t x = axis == 0 ? first : second, y = axis == 0 ? second : first;
       const double besides = costOf(begun, i, fromFit(i, x, y), rows, most);
       if (besides < most) keep({line, x, y, cost, cost + besides});
     }
@@ -146,7 +152,7 @@ bool Search::place(std::size_t i) {
   std::vector<Begun> lines;
   for (const Next& next : next_) {
     Begun line = lines_[next.line];
-    line.numbers.insert(line.numbers.end(), {next.x, next.y});
+    line.even.takePoint(next.x, next.y);
     line.cost = next.cost;
     const PicturePoint by = fromFit(i, next.x, next.y);
     for (std::size_t row = 0; row < line.off.size(); ++row) line.off[row] += moved(i, by, row);
@@ -161,7 +167,7 @@ bool Search::place(std::size_t i) {
 
 GridLine Search::best() const {
   GridLine line{{}, least_};
-  const std::vector<std::int64_t>& numbers = lines_.front().numbers;
+  const std::span<const std::int64_t> numbers = lines_.front().even.numbers();
   for (std::size_t k = 0; k < numbers.size(); k += 2) {
     line.points.push_back(PicturePoint{static_cast<double>(numbers[k]), static_cast<double>(numbers[k + 1])} *
                           grid_.step);
@@ -171,8 +177,8 @@ GridLine Search::best() const {
 
 }  // namespace
 
-std::optional<GridLine> lineOnGrid(const LineFit& fit, const LineGrid& grid, const io::Mode& mode) {
-  Search search(fit, grid, mode);
+std::optional<GridLine> lineOnGrid(const LineFit& fit, const LineGrid& grid, std::int64_t bend) {
+  Search search(fit, grid, bend);
   for (std::size_t i = 0; i < fit.points.size(); ++i) {
     if (!search.place(i)) return std::nullopt;
   }

@@ -1,11 +1,11 @@
 // A line on a grid that takes few characters. Internal to publish/.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "engine/base/vec.h"
-#include "engine/io/foretold.h"
 #include "engine/publish/line_fit.h"
 
 namespace spineloft::publish {
@@ -23,8 +23,8 @@ struct GridLine {
       0;  ///< of its numbers, and about what the rib ends cost more because its spine is off, quarters of a bit
 };
 
-/// The points of the fit, moved by a few steps to places on the grid where most numbers are as `mode` expects them.
-/// None where a point has no place. Cost: a few ten thousand products a point.
-std::optional<GridLine> lineOnGrid(const LineFit& fit, const LineGrid& grid, const io::Mode& mode);
+/// The points of the fit, moved by a few steps to places on the grid where most numbers are as io::EvenLine with this
+/// bend expects them. None where a point has no place. Cost: a few ten thousand products a point.
+std::optional<GridLine> lineOnGrid(const LineFit& fit, const LineGrid& grid, std::int64_t bend);
 
 }  // namespace spineloft::publish

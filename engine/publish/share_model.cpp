@@ -44,7 +44,14 @@ ribs::RibEdits fixedEnds(const pipeline::PartShape& shape, const ribs::Spine& sp
   return fixed;
 }
 
-/// Of the places of the photo at the part's vertices; the look's own colour where there are none.
+/// The nearest channel of 8 bits that one of 5 bits gives: a text tells it in half as many.
+std::uint8_t coarse(std::uint64_t channel) {
+  const std::uint64_t five = (channel * 31 + 127) / 255;
+  return static_cast<std::uint8_t>(five * 8 + five / 4);
+}
+
+/// Of the places of the photo at the part's vertices, each channel at most 4 of 255 off; the look's own colour where
+/// there are none.
 std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const image::Image& photo,
                                        std::array<std::uint8_t, 3> otherwise) {
   std::array<std::uint64_t, 3> sum{};
@@ -59,7 +66,7 @@ std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const i
   }
   if (count == 0) return otherwise;
   std::array<std::uint8_t, 3> mean{};
-  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = coarse((sum[c] + count / 2) / count);
   return mean;
 }
 

@@ -17,15 +17,15 @@ namespace {
 constexpr std::array<std::size_t, 26> kCounts = {2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14,
                                                  15, 16, 18, 20, 22, 24, 27, 30, 34, 37, 41, 45, 50};
 /// Grids that are tried, in steps of the text's own.
-constexpr std::array<double, 3> kGrids = {8, 4, 2};
-/// One pixel of a picture of 1024 pixels, in steps of the text's grid.
-constexpr double kMostOff = 4;
+constexpr std::array<double, 4> kGrids = {8, 4, 2, 1};
+/// A quarter of a pixel of a picture of 1024 pixels, in steps of the text's grid.
+constexpr double kMostOff = 1;
 /// Lines are looked for within this share of it: their spines are foretold, and found a bit elsewhere.
 constexpr double kAimed = 0.95;
 /// What LineGrid::rough is, in steps of the text's grid: which is best depends on how far the ribs reach.
-constexpr std::array<double, 2> kRough = {0.3, 0.45};
+constexpr std::array<double, 3> kRough = {0.15, 0.2, 0.3};
 /// So many of the cheapest lines of each are cleaned and told.
-constexpr std::size_t kTold = 6;
+constexpr std::size_t kTold = 8;
 /// More points are tried while the cheapest line takes at most so many times what the cheapest of all takes.
 constexpr double kWorthMore = 1.4;
 
@@ -55,7 +55,7 @@ std::optional<double> Lines::add(const LineFit& fit, double step) {
     for (const double grid : kGrids) {
       for (const std::size_t mode : io::kLineModes) {
         const LineGrid on{grid * step, kAimed * kMostOff * step, kRough[rough] * step};
-        auto line = lineOnGrid(fit, on, io::kModes[mode]);
+        auto line = lineOnGrid(fit, on, io::kModes[mode].bend);
         if (!line) continue;
         if (rough == 0) cheapest = std::min(line->cost, cheapest.value_or(line->cost));
         lines_[rough].push_back(*std::move(line));

@@ -14,7 +14,7 @@ test('a model on paper is a text from which the same parts are made, alone and b
   const folder = workFolder(t);
   works('loft', '--recipe', glass, '--out', folder.path('glass.glb'));
   const text = shared(folder.path('glass.glb'));
-  assert.match(text, /^5[\w-]+$/);
+  assert.match(text, /^[56][\w-]+$/);
   assert.ok(text.length <= 170, `${text.length} characters`);
   for (const link of [text, `https://example.org/#m=${text}`]) {
     works('open', link, '--document', folder.path('d.json'), '--report', folder.path('r.json'));
@@ -48,7 +48,7 @@ test('what is cut off, altered, foreign or too new is said in one sentence', (t)
   const other = text.at(-1) === 'A' ? 'B' : 'A';
   assert.match(fails(3, 'open', text.slice(0, -1) + other), /changed on its way/);
   assert.match(fails(3, 'open', 'https://example.org/#m=about'), /no model of SpineLoft in that link/);
-  assert.match(fails(3, 'open', `6${text.slice(1)}`), /newer SpineLoft/);
+  assert.match(fails(3, 'open', `7${text.slice(1)}`), /newer SpineLoft/);
   assert.match(fails(3, 'open', 'no such file.glb'), /cannot be read/);
 });
 
@@ -71,13 +71,10 @@ function tracedText(folder, name, stroke, ribs) {
 }
 
 /** Per kind of stroke: the mean over the pictures, rounded up. */
-const kMeans = { careful: 123, sloppy: 135, offcentre: 131 };
-/** How many of all may be longer than 150 characters, and the longest: spines with many bends. */
-const kMostLong = 5;
-const kLongest = 170;
+const kMeans = { careful: 108, sloppy: 119, offcentre: 116 };
 
 test(
-  'a part of 40 ribs that was traced in a real picture is a text of 150 characters, a few longer, however it was drawn',
+  'every part of 40 ribs that was traced in a real picture is a text of at most 150 characters, however it was drawn',
   {
     skip,
   },
@@ -85,16 +82,13 @@ test(
     const folder = workFolder(t);
     const names = realPictures();
     assert.ok(names.length > 0);
-    const long = [];
     for (const [stroke, most] of Object.entries(kMeans)) {
       const lengths = names.map((name) => [name, tracedText(folder, name, stroke, 40).length]);
       const mean = lengths.reduce((sum, [, length]) => sum + length, 0) / lengths.length;
       t.diagnostic(`${stroke}: mean ${mean.toFixed(1)}; ${lengths.map((one) => one.join(' ')).join(', ')}`);
-      for (const [name, length] of lengths) assert.ok(length <= kLongest, `${name}, ${stroke}: ${length} characters`);
+      for (const [name, length] of lengths) assert.ok(length <= 150, `${name}, ${stroke}: ${length} characters`);
       assert.ok(mean <= most, `${stroke}: ${mean} characters on average`);
-      long.push(...lengths.filter(([, length]) => length > 150).map(([name]) => `${name}, ${stroke}`));
     }
-    assert.ok(long.length <= kMostLong, `longer than 150 characters: ${long.join('; ')}`);
   },
 );
 

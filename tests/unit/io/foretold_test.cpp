@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,8 +15,8 @@ using namespace spineloft::testing;
 
 namespace {
 
-constexpr std::uint32_t kTurns = kLineModes[1], kBends = kModes.size() - 1;
-static_assert(kModes[kTurns].turns && kModes[kBends].bend == 3);
+constexpr std::uint32_t kTurns = 8, kBends = 10, kEven = 11;
+static_assert(kModes[kTurns].turns && kModes[kBends].bend == 3 && kModes[kEven].even);
 
 /// Points of a line of even steps that turns evenly.
 std::vector<std::int64_t> arc(double step, double turn, int points) {
@@ -39,7 +40,7 @@ TEST_CASE("points on circles are foretold by their turn to within what rounding 
       const std::int64_t next = foretold(kModes[kTurns], std::span(numbers).first(i), numbers.size());
       CHECK(std::abs(next - numbers[i]) <= 4);
     }
-    if (std::abs(degrees) >= 5) CHECK(bestMode(numbers, kModes.size()) == kTurns);
+    if (std::abs(degrees) >= 5) CHECK(bestMode(numbers, kEven) == kTurns);
   }
 }
 
@@ -75,4 +76,46 @@ TEST_CASE(
   // 4 + 3 + 3/4 of 2; and of changes below 0.
   CHECK(foretold(kModes[kBends], std::span(odd).first(4), 40) == 9);
   CHECK(foretold(kModes[kBends], odd, 40) == -1 - 5 - 6);
+}
+
+TEST_CASE("of a line of even steps only where each leads to is left to tell, in which direction it ever goes") {
+  for (const double degrees : {0.0, 7.0, 20.0, -15.0}) {
+    std::vector<std::int64_t> numbers;
+    double x = 5000, y = -300, heading = 0.3;
+    for (int i = 0; i < 30; ++i) {
+      numbers.insert(numbers.end(), {std::llround(x), std::llround(y)});
+      heading += degrees * std::numbers::pi / 180 * (i % 3);  // not as foretold
+      x += 200 * std::cos(heading);
+      y += 200 * std::sin(heading);
+    }
+    for (std::size_t mode = kEven; mode < kModes.size(); ++mode) {
+      const auto off = offs(kModes[mode], numbers);
+      REQUIRE(off.size() == numbers.size());
+      // The other number of each point follows, to within what rounding does where the step runs along no axis.
+      for (std::size_t i = 5; i < off.size(); i += 2) CHECK(std::abs(off[i]) <= 2);
+      EvenLine line(EvenLine::lengthOf(numbers), kModes[mode].bend);
+      for (const std::int64_t one : off) line.take(line.expected() + one);
+      CHECK(std::ranges::equal(line.numbers(), numbers));
+    }
+  }
+}
+
+TEST_CASE("even steps are told of any numbers: repeated points, and steps too long for exact products") {
+  const std::int64_t far = std::int64_t{1} << 50;
+  for (const std::vector<std::int64_t>& numbers :
+       {std::vector<std::int64_t>{}, {3, 4}, {3, 4, 3, 4, 3, 4, 3, 4}, {0, 0, far, -far, -far, far, far, far, 1, 2}}) {
+    for (std::size_t mode = kEven; mode < kModes.size(); ++mode) {
+      const auto off = offs(kModes[mode], numbers);
+      for (const std::int64_t length : {EvenLine::lengthOf(numbers), std::int64_t{0}, EvenLine::kMostLength}) {
+        EvenLine line(length, kModes[mode].bend), again(length, kModes[mode].bend);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+          const std::int64_t number = numbers[i - i % 2 + line.axis()];
+          const std::int64_t one = number - line.expected();
+          line.take(number);
+          again.take(again.expected() + one);
+        }
+        CHECK(std::ranges::equal(again.numbers(), numbers));
+      }
+    }
+  }
 }

@@ -102,8 +102,8 @@ double worstEnd(const pipeline::Derived& was, const pipeline::Derived& is) {
     REQUIRE(a.size() == b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
       most = std::max({most, distance(a[i].left, b[i].left), distance(a[i].right, b[i].right)});
-      // What the ends are measured from may be farther off.
-      CHECK(distance(a[i].center, b[i].center) <= 1.01);
+      // So is what the ends are measured from.
+      CHECK(distance(a[i].center, b[i].center) <= 0.26);
     }
   }
   return most;
@@ -155,16 +155,17 @@ TEST_CASE("links are short, and every rib end is at most a quarter of a pixel of
   }
 }
 
-TEST_CASE("the ends of a shared part are where they were, as are its sides: its solid is the same to within 1¼ pixels" *
-          doctest::test_suite("slow")) {
+TEST_CASE(
+    "the ends of a shared part are where they were, as are its sides: its solid is the same to within 1.3 pixels" *
+    doctest::test_suite("slow")) {
   for (const Document& document : {onPhoto(40), ofLimbs(7, 40)}) {
     const pipeline::Derived before = derivedOf(document);
     const pipeline::Derived after = derivedOf(io::readShareText(shareModel(document, before).value().text).value());
     for (std::size_t k = 0; k < before.parts.size(); ++k) {
       CAPTURE(k);
       const auto &was = *before.parts[k].shape, &is = *after.parts[k].shape;
-      CHECK(apart(was.mesh, is.mesh) <= 1.25);
-      CHECK(apart(is.mesh, was.mesh) <= 1.25);
+      CHECK(apart(was.mesh, is.mesh) <= 1.3);
+      CHECK(apart(is.mesh, was.mesh) <= 1.3);
     }
   }
 }

@@ -1,0 +1,124 @@
+#include "engine/io/packed_links.h"
+
+#include <array>
+#include <string_view>
+
+#include "engine/io/packed_json.h"
+#include "engine/io/share_digits.h"
+
+namespace spineloft::io {
+namespace {
+
+/// What packJson wrote of them as version 5: the strokes of scenes 10000 to 10149, chosen by lot, half of them called
+/// image.
+constexpr int kVersion = 5;
+constexpr std::array<std::string_view, 96> kLinks = {
+    // clang-format off
+    "Ru-SQTyjsK1tGkyeP6nhlcXk5P3BUWc3-UBvGXqlfh2jzjX4hX6DHsbZz-Wz6pc-O6fhLrWx59nz50QbFhVvX0XKl9kbVIASP0gPKNaN8lyH09-wFWU",
+    "t3uowRW7BG5XNvDYxj7wMXx-q4cdX0dhSxhJVoME6AeRXPbiCyTfXlOcUOCNECYveUV1fokFgl2GYnvOSKbs",
+    "Ru-SQQzjSB0Wq6vQBEP1Zwv3N5sE32CEiC_eqb0XK7XULE-vQZxhvo3VNrkFuZ1YaPVASk7H_bOA39Ewl3j_3Eskr_2_DgM-QQ",
+    "Vz9RMoPCvL0Jkoz4aRLFy9eJ5VkhtKOEwme9D9odYw0We41KRHWWCBFwrpsds1XjSKnct9Pg4fx_ONRnt763Q68ZTXWbKNBsJOMHeKfdVAQKQoSioA",
+    "Ru-SQRC3dG92PAfNwe-VJFr8kMeEukO0Wrzb6WLeDnxZ2GjChDUdGtVxVQLB0O7nlLlD5upxUvnx3d55gWma3eGohortFf-1HAVfKA",
+    "W_oEUxows4NdOmGJK6zdISE3s6XCGPWSRgQxpF5Rnf5lvX6LvjhoTS9O4aGfhAkLNFngDYrmaEXFwh6IgT_sOpOoH1Q7tU0WvL15tiBVqaDi_Sy5iu76SSU6jQkGb3idsLRR",
+    "Ru-SQSy7mfp2bLNj_OqplwoIlLvO5Xo4a7AQ5YAhY067GJoKCxzZF4gBEnWu-t6EIxEiCuzD53M36NPM",
+    "t3xwQl3tdLVW2f0SpkFgaugG1IxN-QL6co7Pj5LvReub7ylMnMMIidXR_k2nLf6DTjP9n6sG1t90Gm10Q5-RgPotdRunvQUpGlak1ms9XRJ3a4IZt8bE5ArvgA",
+    "Ru-SQShcFvs7Ml87dABqOVZVbOYbKjmDyUrZkpgk17glSoC424AFvehcf9H47-jc2Jo8PeSwVEMNIX3kMuVXfTqjP_aDjpd66SJHdz_MsfeB0qw6g_fiKa78wA",
+    "t3us9hFhyJxfVRxL426S3sAS-UUrRF75GJyGcuqFVIuXmFq2rvuL2oBwDLigkUnJzg9UVfTnbE7Mb7EdBjv87mZiUTylj_t3GP22ZjkzDSVKobA",
+    "Ru-SQVBflkS7X6YHIR_PmC6yl_o5xe6MBRLW5GplI5HMzpgA9-fk5N1FucwTqWnZcG6iq9TBSFgpyAAvJW_P4DZezJ5f1DU_gqF-XwQN1JW3o7mlZ17CFQ",
+    "Vz9RMoPC0WyDZAmVkN4vSIa_jxWku96-NdZQxd8uRggylFtniBWrs5y8OBhR3LdA5pfRcwIPMk64q9Wjg2C5voYuFwg-i0UbE0CS4lauLPgD1nodPAshY2drdp1Nm84",
+    "Ru-SQTBzwGWmpxO77iNkaua7QjdqWY1lCIsER8cstssVu3pH8OJpJdYs0DsfyhiMMukH3vysHLmO1ZHCnehIhnUwq7q4r_mYjfpKiRD22FYTV0A",
+    "W_oEUxorglkfVfDSCRBbaTOjM_4XLO9Ok7oEsq4iRhQNfeq3UwsyXq5xQuobeUbhKC-ZF5cZPVteuAp11147Q_ziFCF7HbbYUU_dxsCRaLsxQA",
+    "Ru-SQSCLTUfnXdRXq5_XuqdQPKt6KD6sRMaFDMpzy0Oqamyr6CJJlj3OZn1-zGyf-Wp2hnkwwuvC-M7lrilt8-Ah_J0NmvQPpn7Fs-AK01A",
+    "t3xt7XW_szgeER1kKR2yNF6pdn0GO1PrjKV83J66byaMBMTkW5ipzrMDD3KmZv2mNER8gYqX1sDq7AAlJeMfCDPleC2F4HI3vbAHlm1UJL35NXObA8YdV6FxgA",
+    "Ru-SQSyzayJy1-6R9AhqzZ_BOL9akH_Dar8DVOADJZ6c1i6w3Lyv-HLttPSPKIR0o-OKFQdOxEipqGxXqL-m5xOiHl21aH9ZRIA",
+    "t3uowRoyFVhhpRsDIIT47NUOz2vtDCLgMOw7DOMoHrlYdM1dn6f1SymR8E_v3NkXnOkjs8UGY5pLBXFUCMHY6_obl4h0hwfqy8otKmKps8UcdSzm0S1DOnrvmkkCvc2pA0DB9wODGTHUWgvML5nMrgi65-L2kpFVjR0bWtqZt9Y",
+    "Ru-SQThT_SVy2Hi5_YJNUo00GKL-UOklTtJcLGe2i8dxv54MyaVQHwWJjndbkNC2_auS6eMl3KlA1w6gkpSNa8I5AIqyDkVN67RZzpEUmDEIvX_M5hIbgA",
+    "Vz9RMoPCwP8dUTxazTqGRPpL_Rmb0rwtOhcGGBPBRdVvwQeiM7VwE2nr98E2VJUgVWFh0zEBconunnDhseG1ixfnVMB4ZNmlSHpd0TDCOrUZleRLjSBZjSH0bY6iP_NASbpA",
+    "Ru-SQQzzIxxzjglCxu7QIxirr6G2gz3dhd-IcODyGNKNVd0yFY_L6pzbJxpzRb_wXmo4XA2RiA_MWpdaYiTFz7M0-09kOfOCs1fz6myGwA",
+    "W_oEUxom6i7lzN4QYnDQJx9mN983pQ_7ADWbyCppnfkKSYbpu3rveLOZTLtULgk2UHkBlPh7ixyUnySAxc97o6bUmXTM9Aj_Whav_DOvR6yybsQrJng",
+    "Ru-SQTg390gcW37uszQRvB15UMaY_U5thwz1ggxiOBl70_xYXb2fXViKt-_hdxZkOoUZeFUKsHdXMOOQXYGIhaofqRpU75nOoCGSN4WsHCHKi_ft-sA",
+    "t3xjKMx51KNChJHkSUF70l4u1ZfTllR0KUayA4gv7pIG_1qrdBX4yft3vkKWMDrU7Oy7gVMmPoXGCzbgc_bR6D7p26gI20RJgNNXe9MlMBLH6L8w",
+    "Ru-SQVBflkPiub40-WVYmMCoX9tOdfyutCMWoPuGZDxh9QU9T9WQ_XO5Oj1St1WIMTAt9VxGB7oXpp9R3W8CjjxVTB_qgG4s1kHbkwkCC7zFyGg2L_9Bo5qkv0gxQE5axu4haw",
+    "t3ubn0__oyozbdRrs_tTqzbgDhXKeR5P8Q9VtCidUOSL3AN8VIwqAXRurJjJgN_4gv9lYBFGPsL59L0rN5Go4NL0J_51YNZ6nyASZKU",
+    "Ru-SQThAYajzrvm4ezrHl7BgfsqMnkvMD43sImNFgH8LEJaXUIRRJaXPaXCudIn-mRo4-TiZfkbrcztS2na9MBmjEi04OFbSMqv2___0LXf3QYKJw_WsedZBIFZAl04g_9IMtkwih2A",
+    "Vz9RMoPCuodhThfZa0skL8xYI4a3F4Zc44RBwSOIPJ0nbuDX4axdnjI2UVLSOZze5cldJD6izjYk--VusZ0xd3E",
+    "Ru-SQUgnopgVMJak73_0zfoB-9kyEHp1Tnilrh8CsGZRX8wh2B86Q6MdZ34O2hFN_o5HF-z9J8GI_2w6zBxuQ52dl615UQgurpf-GKDa37jrwA",
+    "W_oEUxoXIu0vw3SuJV2hq1buKtdvkl3Dzy6wtnFWUtZJLYNgEdwemSqZZKitu2hu5mcwQ9r-30kWMrJHNdkdQvp3dQiKmpx_JL9w3dHYW9ZswHKvk-8Y",
+    "Ru-SQRhzh_e743_ZU3KMvonSO69oILhTLEtYqPgs86-ifABiw8YizdjlsIM0ivBK0yPV50r97VznU3ecaYgG7pQSqtSsYpmRAdwE8ypBiL431oiHQ6hKEG8pPPaHj1NlfqdC0DaACEIy",
+    "t3xe53dJxbbiRwyVSqTM4Awo3gOSo6-aW0QCieIyDPbSC2R6QtDULWzhm0seQV4YB6NgxWZ9JABYTteGp2SM6vtMEn7o",
+    "Ru-SQThAZYDzrzyz4dw4QCEgq1_d6BknXixUDcYoxfMIGQdXBJv15dxetM9sDuC8yDZUapj2IXqokBANrVSsSfIMZYilCCmlEHgHHvGduKFU-Mb7UFd_YvzHH6CW1wZM3-vdY2nKmTbydBjarTrGZeoUX-SFJ3fjlbpcHBh_35lQ",
+    "t3uxWDgFrTpiIVGoVPFexRsONODFjKmbUYIAwz5n-DyFypFgukf4UzNYWH0H3flX6KTXY6AqpVOcY5buaFWriHcJSVXPOUKnXUD6IL2b1qX1KFz8GNJmdbp0gA",
+    "Ru-SQRiDW0shazmkwAiSJcYQrVyTogbhB4jume1sH_Kmgyz5A4e8c9qZ-_aqLY8ST4bpnnmc7pbF9seMhRMYiLGBFYM3EXcv_dkPKfYTtA",
+    "Vz9RMoPCxbbc3lnlOVt8oXfuA5Ve6fEZc99GtHx5XcCvkI24rCACocH48qbblo08gQAQpGwdW61K-SlQFFsK3lMCeCCyjPkRUy7oflTbN5ZH8B9jnGO9wFxVDNo-5CP2YAUzLUhOQA",
+    "Ru-SQSyzdylFYS1ThN7USDX5UNiEtaLk6uOOxb0OzNgMheSCTmwMDG4Nva0ApqHw3reYp7hgyCaXGrlAlbd-7KsEEv_PHVxKSYUQe1mJB5cgd53wuLC8r3p7Wu8cbgOCFVPaKZjA",
+    "W_oEUxorMj8SlV4xVkPCWadgWbJ96TpnNN5kdmvxNnw_6R-7vUFRzUaip2oTK5EwhbM0e9KqIFEhlAXwzdz-LiIEAcL2DfBXIcbTJMPX2eI41rVbLhNXcxHkFYA8sX3xh9Wx-LhPws5Kmye7zF5aAKLEh-wSJhVt6T_1K6bfYKi7cXAT41OL4f1A",
+    "Ru-SQSyjh_dvqVObIvbOOJRllicbuLUXHBvH1mdrt1aLxMs0x85Va-QBB9KZcmX6tFpZLAfmwbBuqpO1x2dwIrCTZ_MUFXm4rSbgGxCmiSA",
+    "t3xadhFiG6RxhZHXyCLJxfTSFRSrXiYtiVh9to89w4cHzyogmZYppWdXEAWMxxG1jmi-hLbDbjmIp8qztTgR8e_przoi-bfV2v3gwHNY6PExtZFoCWFnbf48QA",
+    "Ru-SQQzvWvgmgOYGpHztmcOy-i4SPcFtPmtu89dM1JkEZB73hzjDN5hqRtKa26xvEqKJ9cytYaIuSOhVRraeJpbXwyN7TgczoMZQXHpnE2CokAlcCj1JjIuvgA",
+    "t3ukSWOmvw_ttDsFbG5hQ_J-MIdHfcq3dAebMnv3u-6O0y4kd6Ubfzq2698tQqQ4_HtQFldMxGTz303qpEQvdSXMIuDonlfRDYSA",
+    "Ru-SQSCfB-_0cRmFLTjp_njtj47mk_QH_mG3M40trSKOjTvYT5F64qh9LAdjdaf5Lc5403ugXaExEyC-eWEj_E1CjiA",
+    "Vz9RMoPCzJWPZTbBb00GXythSKk6UuiQ-yKAcZkEv1NZknuho9Gow1RFojlGBBGVdxDAehN7RbAaGHTgpZjc2p5KoqxsCDHZvsA",
+    "Ru-SQUCDYKX0Nu4asnQH2_KcGi6LKguI9zPzxs7phyGKkaaN0-DAfK6Flt8T1t71XsGuQ_8oo0OXpL9NqpT70Q5erHgvCCy2vEQ",
+    "W_oEUxoXHkC9ia6zZzNQqzqMKj_oUg2jWXqbWBXBol0WNtdWHKn2QXr4A2Rnq5W-EDUiBXODe1Iz1d6nov17LUt08xNzNqGSK_mB3dRbHbYRku43yR6xng7yks1ViJjCXQ-SdZ3JB4tPgZ04yN7VuntNZ64MbSdO",
+    "Ru-SQRC7SBxqwlN9YIiXNmkQzMLDIhwp_AAfyCFoawoodN-WUl9g6EpQ3CXrfnmjSI14vH-0COURP_fICrtnQTAYcE-1XVT3-pb4QvCHoA",
+    "t3xlOjjUtBakYw-F-p6e6etY8WkkdiQaSBrEBk3gWb2D40K7-fzPDhDaqZxryAW4E4o1pKMbASRBQNQz_zTr0fNvy_sf98ANSRU2gWUkf_1zvpyU99OHAwEpOeYQKkxHG-KeS0OSPoreuikvgXk-aUNeGe4",
+    "Ru-SQQzbFWxYZZmxLy9f-4SeB3_yjYHSy8tDoOmXj0ncBWqcQo_A_4o4YOK0VBCec6FPaNeSwRXP3_bG9PuY5HNIGOT7i2B-L2g",
+    "t3u1jtRKC7nBfRMj2AbM11pDqRA_qlLVRwJvxshw__0ZWdilZBK_a45yN-tVTm8akVTTBa2Irnn7iDovlo1ZT2fZwOyYvy9K",
+    "Ru-SQTyniK3yb-UbJPlaohBFXZ9NFy_0t7XGCNbXOfkFjpVwdgXyuy6YlTVsK45TCygIk_lNQpUluqfcLPUobZSbKYwG6sz7qH6m9Y7moouqewKg",
+    "Vz9RMoPCv5INOCWZ8xTTUl2D_VeOZqHauq-8ND8up8FBpTeAG_CVvYldAJRdfngI7AxbI5gi5fbDpMi88Su5SZ7ZZKaYmH57xSR5ocHoJ8Yra9aVgA",
+    "Ru-SQQiL5JTzwkKX2-KHYUV_LLqm9hm_XFck--f4E8_p0fSNRIJpSxudnYzfrn1PZ6QfRQzBTQ7AFzsXSrGPGY2-ZnBAiAoAo9PSTC00xA",
+    "W_oEUxoXHkB68i6OHwtiLNyEMju3kOIbl4vhTFAylCQZ1nUI_lZAzngO1ipNmka1Qghh-1sLaT43rF5hBEo6gUQHDpgz1II2OVwxDTyRQ_nyoqCCyHU2yKLzmI0iy_BwXG__0szNl7MnrUwrbBeJgJYCyZX0bREKhSUQet0gt_U8",
+    "Ru-SQRhr0EduQOPQ9MVWOpGG7gH-KUdcpXfva88CW12RbNa2dczdJ4HF_mWTyn2KX9LTu6ioOx2tGfBiRdIOeNw2KoRcNt8JCZwAY1DbgA",
+    "t3xhCCDVi0XN0jWISljt3L3yF2hlh6H9LeRbY-XeJtuXbANjQ2k7A1qXiu99NLZfB5MrXGo_0UYxz7QLUYUOOewl6DTR-kbODWnBMpECKRhO7WRT3MxU747e45s",
+    "Ru-SQSR730ryXbV8S6DGRP77zzxxaYeUPvXQQJPl7o2bdHRQoyEdw2phv6Wi6yrsf-fitg_Qaa8OaNU1aF_kc5_bCRUevTvNMXHZHWSBm5EeGaGHQr9Kg1BfmHPFuL_i",
+    "t3uq1OGOszgaOutxyoeBscfe12vU0W3BmaGDJyhj2-V7TcX62Ej8KwSkWFzdki2mjYY4OO6TaV0YPgEhXTDwYj909tk9L0te465SQC15",
+    "Ru-SQQiDwUTEo8LNjBmbLqG1oU2rdiSvRuCWD83Qg1XNtEw-RNVFEEfj4k1lL6jANCbpMHy0I5TonmC_lpkxbydhdFqN3sWv1j5inIwouFNp9b6q37N2qvnUkzoui0A",
+    "Vz9RMoPC0WmeireYYxbCJZEAKJUfS_S6o_vPB1meqF414RFOGEeZUUCdM_jGmoU9uEg_tKwVkHgbGu_ybCK_apCkkLEACeddnziE5LNJpqMdLFtD5g",
+    "Ru-SQSR_vvsn1z_P1xhEOQ9HTzVQoq7Vgd13tp8VQl82sRA6jsJ2r00NZYq41r7tS1JzYL3nn88KrE_dLtljKdQJTqnWEF6S7GcCx1kUkECS9leaE6A",
+    "W_oEUxoXIu1RnkY9uRpYTtKeBB3aax_Rd8HIlnu84u7LzDEyeiNeeuYOAOtKFll2GZiY0NN_6tLHHky5aZU1goKgj1Z55dLLudmQj3WJSYoLBP82VvwV4UA",
+    "Ru-SQVBflkSUVJHdI-y-f34woBnCodj3fyiN4W9Hcb0yaHhoGZHOsQFR7TQpvc0nzdBdwj_EWA_aaXkScYzVjEr-52oc0x15eh14KzQuCSegS6ua7s8-XOpQizPldM0IARgBgGhCeA",
+    "t3xJH1aOtaOq-y-ZmtbsXQVEeUGJgzmGO_z86TU6kkuZCRk9FdGnS1O3VqKgr3Z0ZAqVRI8V37rfDnQzQDKk0H4u-FItZQ9bSTU0wA",
+    "Ru-SQVBrr2cis2FemynbkG2ECePF2TuW_SYq5YDaejgRvMUPhrPVgWo-Zg0qMtn9YWZigLCI7VdAJr_B_733RLH5u5psEz-axE8MfiA",
+    "t3us_rrssjiZuzQncBqaGjGxl6oTbX8Zhj_sKxD-HM2SrnfjGKg4qMdPkw8PKIn5n5N8ARLdloqctWsTBgRRaCfMvg",
+    "Ru-SQQSryW-H8QKetX5XOkU_9yC-wtjyDiEhbG2f1n_T22yWdMivOEiSBgtAAL4cka1e980k4SbDuFeSxC_0oaG-E9cPYD7a9s_anmKgx0A",
+    "Vz9RMoPCzIye6ZSHLbc2nRw3UKWssYhJ7k-J1lxMbVN7TKn0_Of236QMXEIzdVJtpKdJonSRpqaEgD8cCtKjC7OGB92uIax_yzxB5dEWOeqGNGUI9teX4innIIFeeo6fREQWnQrGZNpebECHh1eNQqERVUeOHA",
+    "Ru-SQThAOkpsZXOFVfkLu9zuhzExOwX3auCHj40woz62SHHJ0lrvIHP1qaeuaRnE-CTINcn0KVZYwTQj8EX0xjg-nAHI8K97MspviA",
+    "W_oEUxoXIu1GGbA8NEZ-zDVcenyeBl-6_Ub8O2jIN8Y92m8oFt1HX9yyhZIB7XqMVv7IKfZIBRg0TRVmQZ71uyQlTOWOdLiATeUN57P6VeCdsXDMPukwb585nP5bkwmm8oRCkN9cHZNAzbAshc6_23dlSDSK0SjPMTrwUyrEdbhLHIoJxuBQ",
+    "Ru-SQQiHpUeZsQ6bfo7-z1Jao2vvhZ_1HQpKpVvQ6s307YjtsJ_lT0qXQoLhllwjWxYGQLaM8Ox7fbIKd5hjswFlLKsJ_P_PxORrFWC-aTg",
+    "t3xe2DgFy7n4dUE-l-tJszZAer9aqb1bqjinnjedrfXKlV_R9ES1lUjKqQCe1bqh_cOWOJRh6NvrmEHVvdKWi1j5Ci2bpKiEC2QiJ3SDO4Cjy7ueST3A",
+    "Ru-SQRzHAD_zeBW14KYHRmO9_32lTX6kHWRXUzmj-A0OPSUt9HNVvivOMTBqnUWLUOXq6PcohmVxsCRmwnjlrM-B7hHoP2xI7c4NCUA",
+    "t3vAaxIdEDrc_pG7G6YnQdTEfhfZogIadJqKuF1NO32FgrtzqatD7-RGK1_nLxPNRteryXVymqfDdQ23sEFlYG4vjjVZ2ak-uPyAyg4lKaumA_1n1lVc-sx3VYg",
+    "Ru-SQUg3uK1x6t0OUJi735jg-D9NMHW8YsZUs-6bGi-rcs7Y4Q3E_q-f2iEjb3BYievzLz7XfikhDiqaIIBv5AQELCIfLuZHBaLATLBnTRiIrHzVDRRg",
+    "Vz9RMoPCwRNBb17u6WsRnw8oaLQdaivQOqQ7w3ierpsiHsXuPqa-4R1Gu2De1mxXe54KlqVQeou91B1BEpzgh68mSD17TpygMTDJmGSSxRY3LA",
+    "Ru-SQShoHdZN2PWv9SNw5Ne0XE4ORGNned9PdxnxXquqjXsxxeyWjKwC3rpmDOlkT4bJpbgFH9Yhkyir2tHJ2kYrvideQhkhT4F_q4I1Bz3H7Xo8x4xegECA2889aimJAU4nxxCcOBktxryb-NuY",
+    "W_oEUxord8X8yuAPVpfXgb-uN8a4Xmf-75jjX49c35YDiuHi9n_mY5AezGTeAxnm8wnqnVgTpjcQWj-5DrWOQpz5OHshM48TFE8wMuojKTXvPphwEtlaUmYp_aJ-xv5g9KtY",
+    "Ru-SQURYENDzhojUhe6O4g3E-YDWnzhpXScTswrtU2J9ICSJi-dnvJhJaMbOjUebsghYj4nqtQwN6t-VEum9X-HP6uCGCYtNjYTEPA",
+    "t3xWQRxFo4ZIg90VSOCYBmlzar5RuE3nufR7DZOq9Qe-Za6R8E1EmIafLIzzGIMPZyzQJZYTsCxncmPdKoAw0QTuMBka2Re6uJQm2IYMbUdA7IpSISD1t34",
+    "Ru-SQRiTVf1sctbk9OohhSpb7kAwPM3nlO-12vEA1Ygf98C0D0II0Bp7KS9AW9_rSY-vjb5_NHEGwCl_UURCvPzomvsSMrPg",
+    "t3uziCDVBJ2u4TVXGzkMI6cBRlKSWwbYJ6BltCBpZIyiIlKqMb77qqPPbFd3PAq97Bxru2Qp1ICinxjz6sZwI3hVa7AM78HlOzpR9yyQ8MHUcfwnMBI4lsr8vbUWmQ",
+    "Ru-SQRST1_dsYgHevrhneoC7qroxz-IZ7mPV6prlV0rkgJb6BzuHVNKtyEbGjnfLR28OsjH_LC3xKBOqsYOxjU0e-T9cim73yGvE",
+    "Vz9RMoPCxj9FQBlKYbdtuvqTHxUxmUmKToPwZfM-luev9X3ecNjUM0cTJkaCHxnIp4MxK1-6nn8vJ9FbkphthJUJMF6zvHqkuGxBcGL36fIw",
+    "Ru-SQTCfvKjx4xWlJEl5BlMuTMy_7wX-f1rxwwELaTHL4yNnQKvnNILJDEElRzOyEvX5ADOpzCApSrCx1hcBhkA",
+    "W_oEUxoXHkKeAw3SUqr2gbAhFTOpFRTb2qWnaoohruIotE-BWbM33ay_v-M6Lpa9IGVCO7Q_f4045vZJnfI0D1liaTFbs9FHguR869EtMLZ2NaUma7LoGgsIwe9sd4EURDOqZVFmEP6OXEcHB_pPZ4A",
+    "Ru-SQSRvzG_ylbvgftP72kN_HZ8HUDv6czDmNjRx5tXWDZ6jXpJnyicVsvakaAcYxLByGWiRoMIAGb8AMtvVWRJXheJ8i38j4_wvAoHp---mNg",
+    "t3xhDm0FdkVXkIOJlTTbIA5xK1wmfwObnekx2ebvia9HRagkv4mB2Sioh_ciEMpULUxFcrOWde9c9KUXJtyKynwkfxpdU0VQ9WEuVmsGmCjS0_1AZpzVMh_C",
+    "Ru-SQTynlLD5o-YGjexb8U3GUO4GRmoBiK3Ynz_6_xe-e12CulWNAb_8IkJ_ZErP94piR4rSQZHS3UZL4BssxZoZEiANKg",
+    "t3uowRxFo7ILy_a4LlkIjQDfE7APZYATp1WhaMmA3TS8_IEFeZxTzSaBwXdyDsn_7u7Crthkbkq7271z7q0CBAwU-1es8jDf2HxfV2xvY3YXcB_KsnJCW0gMQuSqNVby0ZDcfIQdxg_8YtLgo6cUb8FZyORiFMuw9g",
+    "Ru-SQTRz0iVf01yXj6IyUD6T3mhhIfngsIrUWPuTBBuB_g1yG3yWnSyXciIWfRZB5Aves5pLnd9XVO5e7OTrIlA1SwFEZgbLxzajP7n-WNzjzTyUnLy2O0Nj53ILX5nTq8opdOj2p5lIuV6y",
+    "Vz9RMoPCyfwHwvf2DwF86z9Q8WErTgY7dyvbUtYiaCOVwKJel_cAblfPnBgs7yDBL42IYaaJrFcgN10oEmd0_A4uAQBL8ZgLBkVUzWxbyHOYSBAZ1KjlbW7QEjZY7cgh3rD_Nrx-HP3acg",
+    "Ru-SQTRsKdlSYaqH1v5PZRGvhOaTBeVLASKUAF7cSJM_eIBWtHTxt2Urf5qexrzIXr_2gNaE2Nw-9EmyvgLDaVdqrJJApZfPwzP3CxJAtV24p83o",
+    "W_oEUxorLUUPyeSuYyMMdFhHCZNFYdMggIL0ml0ETqdjLu09_nqraMytSwXvwZD945gdlGWYPF3NNd0eJl3BbTxBWc_Frdzd5VlgRAv4EvAUzjcd-dvA",
+    "Ru-SQTCTndJ2NwUz_jIljyVdmNtD3e5gjHk5bY5s7F5VAC2HzvwVEfc70cTZb7wvI6R7XDiN4HnF04WVVRfCvgKTgb9J8UkMiJ8sawQ",
+    "t3xNl0mPG2B7feh8pC1BUj4N5y7gMVNS04-Xw0RRzVmo2GTxrRyPufQBjfhAQ2evURuqiddXXJcnSUB5LZJ5dAt7cU51mX--9kjyQtnzRlcFfmrIZJQPKLR-rzC131Mv3orwwyw39BT7-gjLT5kJlgACDihg",
+    // clang-format on
+};
+
+}  // namespace
+
+std::vector<nlohmann::json> linkedModels() {
+  std::vector<nlohmann::json> models;
+  for (const std::string_view link : kLinks) models.push_back(unpackJson(toBytes(link).value(), kVersion).value());
+  return models;
+}
+
+}  // namespace spineloft::io
