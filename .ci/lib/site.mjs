@@ -53,6 +53,9 @@ function put(folder, name, bytes) {
   return name;
 }
 
+/** The name of an engine's second program in its loader: web/platform/second_program.js. */
+const kSecond = 'spineloft_second.wasm';
+
 function replaceName(text, from, to) {
   const parts = text.split(new RegExp(`(?<=["'\`/])${from.replace('.', '\\.')}(?=["'\`])`));
   if (parts.length < 2)
@@ -78,12 +81,16 @@ function putEngine(folder, engine) {
   const name = enginePrograms[engine];
   const place = join(presetDir('wasm-release'), 'web');
   if (!existsSync(join(place, `${name}.js`))) throw new Stop(`${name}.js is not built.`);
-  const wasm = readFileSync(join(place, `${name}.wasm`));
-  const wasmName = hashedName(`spineloft-${engine}.wasm`, wasm);
-  const loader = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, wasmName);
+  const putProgram = (file, as) => {
+    const bytes = readFileSync(join(place, file));
+    return put(folder, join('assets', hashedName(as, bytes)), bytes);
+  };
+  const wasm = putProgram(`${name}.wasm`, `spineloft-${engine}.wasm`);
+  const second = putProgram(`${name}_second.wasm`, `spineloft-${engine}-second.wasm`);
+  const named = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, basename(wasm));
+  const loader = replaceName(named, kSecond, basename(second));
   const loaderName = hashedName(`spineloft-${engine}.js`, loader);
-  put(folder, `assets/${wasmName}`, wasm);
-  return { js: put(folder, `assets/${loaderName}`, loader), wasm: `assets/${wasmName}` };
+  return { js: put(folder, `assets/${loaderName}`, loader), wasm, second };
 }
 
 /** The licences keep their names: they are looked for by them. */
@@ -224,7 +231,12 @@ const kShareInfo = 'share.json';
 
 /** Every file of the site as the service worker stores it: what all pages need, what each engine's do, and what few do. */
 function filesToStore(folder, { threads, single, viewer }) {
-  const apart = { threads: [threads.js, threads.wasm], single: [single.js, single.wasm], rare: [viewer.room] };
+  const apart = {
+    ...Object.fromEntries(
+      Object.entries({ threads, single }).map(([name, { js, wasm, second }]) => [name, [js, wasm, second]]),
+    ),
+    rare: [viewer.room],
+  };
   const entry = (path) => {
     const bytes = readFileSync(join(folder, path));
     if (/-([0-9A-Z]{8}|[0-9a-f]{10})\.[a-z0-9]+$/.test(path)) return { url: path, revision: null };
@@ -306,7 +318,7 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     ...Object.fromEntries(
       Object.keys(enginePrograms).map((engine) => [
         engine,
-        engines.includes(engine) ? putEngine(fresh, engine) : { js: laterPath(engine), wasm: '' },
+        engines.includes(engine) ? putEngine(fresh, engine) : { js: laterPath(engine), wasm: '', second: '' },
       ]),
     ),
     assets,

@@ -4,16 +4,26 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { distDir } from '../../.ci/lib/paths.mjs';
-import { idle, kEngines, onPage, openWithPart, run, state, useSite, watchPrograms } from './support/page.mjs';
+import {
+  enginePrograms,
+  idle,
+  kEngines,
+  onPage,
+  openWithPart,
+  run,
+  state,
+  useSite,
+  watchPrograms,
+} from './support/page.mjs';
 import { tubePicture } from './support/pictures.mjs';
 
 const kit = useSite();
 const tube = tubePicture();
 
 for (const { name, isolated } of kEngines) {
-  test(`the engine is compiled once, while it comes (${name})`, () =>
+  test(`each program of the engine is compiled once, while it comes (${name})`, () =>
     onPage(kit, { alone: true, isolated, scripts: [watchPrograms] }, async (page) => {
-      assert.deepEqual(await page.evaluate(() => window.programs), ['compileStreaming']);
+      assert.deepEqual(await enginePrograms(page), ['compileStreaming', 'compileStreaming']);
     }));
 }
 
@@ -27,7 +37,7 @@ test('the engine starts where the host does not say what it sends', () =>
     await other.addInitScript(watchPrograms);
     await other.goto(page.url());
     await other.evaluate(() => window.spineloft.ready);
-    assert.deepEqual(await other.evaluate(() => window.programs), ['compile']);
+    assert.deepEqual(await enginePrograms(other), ['compile', 'compile']);
     await other.close();
   }));
 

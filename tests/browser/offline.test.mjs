@@ -9,6 +9,7 @@ import { openPage } from '../../.ci/lib/browser.mjs';
 import { distDir } from '../../.ci/lib/paths.mjs';
 import { serveFolder } from '../../.ci/lib/server.mjs';
 import {
+  enginePrograms,
   kLight,
   done,
   idle,
@@ -95,8 +96,8 @@ test('after one visit the page opens without a network: a sample becomes a part,
   await page.reload();
   await page.evaluate(() => window.spineloft.ready);
   assert.deepEqual(
-    await page.evaluate(() => window.programs),
-    ['compileStreaming'],
+    await enginePrograms(page),
+    ['compileStreaming', 'compileStreaming'],
     'what is stored comes as a stream',
   );
   await page.locator('.sample-open').first().click();

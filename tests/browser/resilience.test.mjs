@@ -302,6 +302,60 @@ test('an engine that does not arrive is said, not left spinning', () =>
     },
   ));
 
+/** In the page, before its scripts: requests that its own thread waits for. */
+function watchWaiting() {
+  window.waited = [];
+  const open = XMLHttpRequest.prototype.open;
+  XMLHttpRequest.prototype.open = function (method, address, ...rest) {
+    window.waited.push(String(address));
+    return open.call(this, method, address, ...rest);
+  };
+}
+
+test('a part along a spine is made, undone and kept without the second program of the engine', () =>
+  onSpoiltPage(
+    async (page) => {
+      await page.addInitScript(watchWaiting);
+      await page.route('**/*-second-*.wasm', () => undefined); // never answered
+    },
+    async (page) => {
+      await openWithPart(page, tube.png, tube.middle);
+      await run(page, 'undo');
+      await run(page, 'redo');
+      assert.equal((await state(page)).parts.length, 1);
+      await page.waitForFunction(async () => (await window.spineloft.models()).length === 1);
+      assert.deepEqual(await page.evaluate(() => window.waited), []);
+    },
+  ));
+
+test('what needs the second program while it is away waits for it, says so, and goes on', () =>
+  onSpoiltPage(
+    (page) => page.route('**/*-second-*.wasm', (route) => route.abort()),
+    async (page) => {
+      await page.evaluate(() => window.spineloft.ready);
+      const asked = [];
+      page.on('dialog', async (dialog) => {
+        asked.push(dialog.message());
+        await page.unroute('**/*-second-*.wasm');
+        await dialog.accept();
+      });
+      await run(page, 'new-sketch', { width: 400, height: 300 });
+      await run(page, 'draw-puff', {
+        contours: [
+          [
+            [100, 100],
+            [300, 110],
+            [290, 220],
+            [110, 210],
+          ],
+        ],
+      });
+      assert.equal((await state(page)).parts.length, 1);
+      assert.equal(asked.length, 1);
+      assert.match(asked[0], /still missing. Check the connection/);
+    },
+  ));
+
 test('a sample that does not load says so and leaves the start page usable', () =>
   onSpoiltPage(
     () => undefined,

@@ -2,6 +2,7 @@
 // functions. Strings cross as UTF-8 in malloc'ed memory; everything that comes out is copied at once.
 import type { Command, ExportFormat, State } from './api.ts';
 import { boundScript } from './bound_script.ts';
+import { compile } from './compile.ts';
 import { Failure } from './failure.ts';
 import type { CutAnswer, Cutter } from './cut_out/cutter.ts';
 import type { EngineEvent, RawEvent } from './engine_events.ts';
@@ -12,7 +13,7 @@ import type { RawPhoto } from './keep/pack.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Probe, WorkingCopy } from './picture.ts';
 import type { SolveEvent, Solver } from './solids/solver.ts';
-import { forCanvas } from './words/words.ts';
+import { forCanvas, t } from './words/words.ts';
 import type { Language } from './words/words.ts';
 
 export type { EngineEvent, Offer } from './engine_events.ts';
@@ -42,6 +43,7 @@ export interface Size {
 
 interface Module {
   wasmMemory: WebAssembly.Memory;
+  fetchSecond(compile: (address: string) => Promise<WebAssembly.Module>): Promise<void>;
   _malloc(size: number): number;
   _free(ptr: number): void;
   _spl_start(
@@ -129,14 +131,6 @@ export function wantsThreads(): boolean {
   return asked !== '0' && globalThis.crossOriginIsolated === true && typeof SharedArrayBuffer === 'function';
 }
 
-/** Compiles while it comes, beside the script that starts it; as a whole from hosts that call it something else. */
-async function compile(address: string): Promise<WebAssembly.Module> {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`${address}: ${response.status}`);
-  const isNamed = response.headers.get('Content-Type') === 'application/wasm';
-  return isNamed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
-}
-
 type Receive = (instance: WebAssembly.Instance, program: WebAssembly.Module) => void;
 
 /** Starts what is compiled already; without it the script fetches its program itself. */
@@ -206,6 +200,8 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
     canvas,
     host,
     sharp,
+    // Only a dialog keeps the page waiting within a call.
+    askForNetwork: () => alert(t('A part of SpineLoft is still missing. Check the connection, then press OK.')),
     mainScriptUrlOrBlob: boundScript(files.js), // of its threads
     locateFile: (name: string) => new URL(name, script).href,
   });
@@ -227,6 +223,7 @@ function withBytes(raw: Extract<RawEvent, { type: 'file' }>, module: Module): En
 export class Engine {
   private readonly encoder = new TextEncoder();
   private readonly decoder = new TextDecoder();
+  private second: Promise<void> | null = null;
   /** The solver of solids, once there is one. */
   solver: Solver | null = null;
   /** What cuts out, likewise. */
@@ -236,6 +233,18 @@ export class Engine {
     private readonly module: Module,
     private readonly told: () => ShellView | null,
   ) {}
+
+  /**
+   * Resolves when the engine's second program is there as well (web/platform/second_program.js). Whoever calls a function
+   * of it before makes the page wait, so what is likely to do so asks here first.
+   */
+  whole(): Promise<void> {
+    this.second ??= this.module.fetchSecond(compile).catch((thrown: unknown) => {
+      this.second = null; // another try may do better
+      throw thrown;
+    });
+    return this.second;
+  }
 
   start(fonts: Fonts, size: Size): boolean {
     const parts = [fonts.text, fonts.bold, fonts.icons].map((bytes) => ({ at: this.put(bytes), length: bytes.length }));

@@ -26,7 +26,7 @@ import { toast } from './toasts.ts';
 import { serverLink, takeServerLink } from './room/address.ts';
 import { Classroom } from './room/classroom.ts';
 import { connectTooltips } from './tooltip.ts';
-import { warmUpWhenIdle } from './warm_up.ts';
+import { fetchRest, warmUpWhenIdle } from './warm_up.ts';
 import { language, onLanguage, preferredLanguage, speak, t } from './words/words.ts';
 
 const canvas = byId<HTMLCanvasElement>('canvas');
@@ -104,6 +104,7 @@ function main(): void {
     await page.attach(started);
     engine = started;
     document.body.dataset.engine = 'ready';
+    fetchRest(started);
     warmUpWhenIdle(started);
   });
   installApi({ engine: () => engine, canvas, ready, page });

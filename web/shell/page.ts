@@ -369,6 +369,7 @@ export class Page {
       throw new Failure('FileUnreadable', engine.sentence('FileUnreadable'));
     });
     const bytes = new Uint8Array(buffer);
+    await engine.whole().catch(() => undefined); // then what needs it says so
     await keeper.openProject(bytes, await photosIn(engine, bytes));
     this.guide.offer(null);
     this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));

@@ -6,6 +6,8 @@
 interface SpineLoftVariant {
   readonly js: string;
   readonly wasm: string;
+  /** What the loader fetches behind it by itself. */
+  readonly second: string;
 }
 
 interface SpineLoftSite {

@@ -36,6 +36,15 @@ export function warmUpWhenIdle(engine: Engine): void {
   requestAnimationFrame(() => setTimeout(later, kPause));
 }
 
+/** Between tries to fetch what is missing of the engine. */
+const kRetry = 3000;
+
+/** Fetches the rest of the engine in an idle moment, and again until it is there. */
+export function fetchRest(engine: Engine): void {
+  const fetchIt = () => void engine.whole().catch(() => setTimeout(fetchIt, kRetry));
+  whenIdle(fetchIt);
+}
+
 type Seen = Pick<ShellView, 'parts' | 'picked' | 'undo'>;
 
 /**

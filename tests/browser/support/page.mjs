@@ -62,6 +62,12 @@ export function watchPrograms() {
   }
 }
 
+/** How the two programs of the page's engine were made, on a page with `watchPrograms`. */
+export async function enginePrograms(page) {
+  await page.waitForFunction(() => window.programs?.length === 2);
+  return page.evaluate(() => window.programs);
+}
+
 /** In the page: an empty board, no models, nothing said; true when that is so. */
 async function beginAnew() {
   const api = window.spineloft;

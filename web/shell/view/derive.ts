@@ -30,6 +30,7 @@ export async function derived(text: string): Promise<{ glb: Uint8Array; name: st
     starting = null; // another try may do better
     throw thrown;
   });
+  await engine.whole();
   const link = new TextEncoder().encode(kLinkMark + text);
   engine.openProject(link, await photosIn(engine, link));
   const { name } = engine.about();
