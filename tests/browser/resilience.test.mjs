@@ -328,25 +328,26 @@ test('a part along a spine is made, undone and kept without the second program o
     },
   ));
 
-test('what needs the second program while it is away waits for it, says so, and goes on', () =>
-  onSpoiltPage(
-    (page) => page.route('**/*-second-*.wasm', (route) => route.abort()),
+test('what needs the second program while it is away waits for it, says so, and goes on', () => {
+  let isAway = true;
+  return onSpoiltPage(
+    (page) => page.route('**/*-second-*.wasm', (route) => (isAway ? route.abort() : route.continue())),
     async (page) => {
       await page.evaluate(() => window.spineloft.ready);
       const asked = [];
-      page.on('dialog', async (dialog) => {
+      page.on('dialog', (dialog) => {
         asked.push(dialog.message());
-        await page.unroute('**/*-second-*.wasm');
-        await dialog.accept();
+        isAway = false;
+        void dialog.accept();
       });
       await run(page, 'new-sketch', { width: 400, height: 300 });
       await run(page, 'draw-puff', {
         contours: [
           [
-            [100, 100],
-            [300, 110],
-            [290, 220],
-            [110, 210],
+            [100, 60],
+            [300, 60],
+            [300, 240],
+            [100, 240],
           ],
         ],
       });
@@ -354,7 +355,8 @@ test('what needs the second program while it is away waits for it, says so, and 
       assert.equal(asked.length, 1);
       assert.match(asked[0], /still missing. Check the connection/);
     },
-  ));
+  );
+});
 
 test('a sample that does not load says so and leaves the start page usable', () =>
   onSpoiltPage(
