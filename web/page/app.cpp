@@ -57,15 +57,6 @@ void App::touch(int frames) {
   host_.requestFrame();
 }
 
-void App::resize(const platform::CanvasSize& size) {
-  ui_.canvasWidth = std::max(1.0, size.width);
-  ui_.canvasHeight = std::max(1.0, size.height);
-  ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
-  if (fontDpr_ != ui_.dpr) fontDpr_ = 0;
-  layout();
-  touch(2);
-}
-
 void App::speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) {
   words::speak(std::move(language));
   fontFiles_.scriptText = std::move(text);
@@ -73,20 +64,6 @@ void App::speak(words::Language language, std::vector<std::uint8_t> text, std::v
   fontDpr_ = 0;
   announce();
   touch(3);
-}
-
-/// The letters of the canvas for its pixels and the language.
-void App::makeFonts() {
-  if (fontDpr_ == ui_.dpr) return;
-  fontDpr_ = ui_.dpr;
-  fonts_ = buildFonts(fontFiles_, ui_.dpr);
-  renderer_->fontsChanged();
-}
-
-void App::warmUp() {
-  if (lost_ || frames_ > 0) return;
-  if (fontDpr_ == ui_.dpr) return drawFrame();
-  makeFonts();
 }
 
 void App::setDark(bool dark) {
@@ -226,8 +203,10 @@ void App::drawFrame() {
   if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
+  scene_.dpr = density_;
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
-  scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0;
+  scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0 && handRests();
+  awaitRest();
   renderer_->draw(scene_);
   partPictures_.forgetUnused();
   ++frames_;
@@ -271,7 +250,8 @@ void App::beginUi() {
   ImGuiIO& io = ImGui::GetIO();
   const double now = host_.nowMs();
   io.DisplaySize = {static_cast<float>(ui_.canvasWidth), static_cast<float>(ui_.canvasHeight)};
-  io.DisplayFramebufferScale = {static_cast<float>(ui_.dpr), static_cast<float>(ui_.dpr)};
+  chooseDensity();
+  io.DisplayFramebufferScale = {static_cast<float>(density_), static_cast<float>(density_)};
   io.DeltaTime = static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
   lastFrameMs_ = now;
   workAsked();
@@ -286,7 +266,7 @@ void App::watchWork() {
 }
 
 void App::wake() {
-  wakePending_ = tooltipPending_ = false;
+  wakePending_ = tooltipPending_ = restPending_ = false;
   studio_.sendAmends();
   // Without threads a search would hold up the ink under the pen, and textures what is in the hand: they
   // wait.
@@ -340,6 +320,7 @@ void App::nameRib() {
 }
 
 void App::pointer(const platform::PointerEvent& event) {
+  handMovedMs_ = host_.nowMs();
   const Hover before = ui_.hover;
   const bool onPanels = gestures_.pointer(event, toolEnv()) == Gestures::Target::Panels;
   if (onPanels) {
@@ -371,6 +352,7 @@ void App::pointer(const platform::PointerEvent& event) {
 }
 
 void App::wheel(const platform::WheelEvent& event) {
+  handMovedMs_ = host_.nowMs();
   ImGuiIO& io = ImGui::GetIO();
   if (ui_.layout.panel.contains({event.x, event.y})) {
     io.AddMouseWheelEvent(static_cast<float>(-event.deltaX / 100), static_cast<float>(-event.deltaY / 100));
@@ -544,7 +526,8 @@ void App::answer(std::string_view id, std::string_view text) {
 }
 
 bool App::idle() {
-  return !studio_.busy() && framesWanted_ == 0 && !ui_.flight && !(ui_.preview && !ui_.preview->settled());
+  return !studio_.busy() && framesWanted_ == 0 && !restPending_ && !ui_.flight &&
+         !(ui_.preview && !ui_.preview->settled());
 }
 
 void App::cancelWork() {

@@ -102,6 +102,9 @@ class App final : public platform::Page, Hand {
   void beginUi();
   void workAsked();
   void makeFonts();
+  void chooseDensity();
+  bool handRests() const;
+  void awaitRest();
   void drawFrame();
   /// Something on the screen moves by itself, or work is under way.
   bool moving() const;
@@ -143,6 +146,10 @@ class App final : public platform::Page, Hand {
   ShellView told_, view_;  ///< what the shell knows, and what it is compared with
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;
+  int movingFrames_ = 0;  ///< on end in which something moved
+  double handMovedMs_ = 0;
+  bool restPending_ = false;  ///< a wake is asked for when the hand rests
+  double density_ = 1;        ///< device pixels a CSS pixel of the frame that is drawn
   bool wakePending_ = false, tooltipPending_ = false;
   bool overPanels_ = false;  ///< the last pointer event was for ImGui
   bool lost_ = false;

@@ -174,6 +174,10 @@ void BrowserHost::sendFile(std::string_view name, std::string_view mediaType, st
   splSend(json.c_str());
 }
 
+bool BrowserHost::drawsSlowly() const { return softwareGl(); }
+
+void BrowserHost::setPixels(const CanvasSize& size) { resizeCanvas(size); }
+
 bool BrowserHost::reducedMotion() const { return splReducedMotion() != 0; }
 
 bool openWindow(const CanvasSize& size) {
@@ -194,7 +198,10 @@ bool openWindow(const CanvasSize& size) {
 }
 
 void resizeCanvas(const CanvasSize& size) {
-  splSetBackingStore(backing(size.width, size.dpr), backing(size.height, size.dpr));
+  static int width = 0, height = 0;
+  const int wanted[] = {backing(size.width, size.dpr), backing(size.height, size.dpr)};
+  if (wanted[0] == width && wanted[1] == height) return;  // it would be blank
+  splSetBackingStore(width = wanted[0], height = wanted[1]);
 }
 
 double usableDpr(const CanvasSize& wanted) {

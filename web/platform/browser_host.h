@@ -18,6 +18,8 @@ class BrowserHost final : public Host {
   void solve(std::string_view json, std::span<const SolverMesh> meshes) override;
   void cutOut(const CutRequest& request) override;
   void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) override;
+  bool drawsSlowly() const override;
+  void setPixels(const CanvasSize& size) override;
   bool reducedMotion() const override;
 
   Page* page = nullptr;

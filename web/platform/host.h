@@ -10,6 +10,8 @@
 
 namespace spineloft::platform {
 
+struct CanvasSize;
+
 /// A mesh that the solver of solids is given: the engine's own arrays, which the shell copies at once.
 struct SolverMesh {
   std::uint32_t vertices = 0, triangles = 0;
@@ -45,6 +47,10 @@ class Host {
   /// Hands a finished file to the shell, which copies the bytes at once and offers them as
   /// download.
   virtual void sendFile(std::string_view name, std::string_view mediaType, std::span<const std::uint8_t> bytes) = 0;
+  /// A processor draws: pixels take time.
+  virtual bool drawsSlowly() const = 0;
+  /// The canvas has so many pixels from now on; it is blank where it had others.
+  virtual void setPixels(const CanvasSize& size) = 0;
   /// The visitor asked the system for less motion.
   virtual bool reducedMotion() const = 0;
 };

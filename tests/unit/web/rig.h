@@ -56,6 +56,8 @@ class FakeHost final : public platform::Host {
   void sendFile(std::string_view name, std::string_view, std::span<const std::uint8_t> b) override {
     files.emplace_back(std::string(name), b.size());
   }
+  bool drawsSlowly() const override { return slow; }
+  void setPixels(const platform::CanvasSize& size) override { canvas = size; }
   bool reducedMotion() const override { return reduced; }
   bool said(std::string_view part) const {
     for (const std::string& json : sent) {
@@ -65,7 +67,8 @@ class FakeHost final : public platform::Host {
   }
 
   double clockMs = 1000;
-  bool frameAsked = false, reduced = false;
+  bool frameAsked = false, reduced = false, slow = false;
+  platform::CanvasSize canvas;
   int wakesAsked = 0;
   std::vector<std::string> sent;
   std::vector<platform::SolverMesh> given;  ///< to the solver, last

@@ -1,0 +1,72 @@
+// How many pixels a frame has where a processor draws.
+#include <doctest/doctest.h>
+
+#include "tests/unit/web/rig.h"
+
+namespace spineloft::test {
+namespace {
+
+using platform::PointerKind;
+
+/// One move of a hand that turns the solid, and its frame.
+void turn(Rig& rig, double x) {
+  rig.host.clockMs += 16;
+  rig.pointer(PointerKind::Move, x, 350);
+  rig.app->frame();
+}
+
+struct Turned {
+  Rig rig;
+  explicit Turned(bool slow) {
+    rig.host.slow = slow;
+    rig.openBar();
+    rig.drawBar();
+    rig.pointer(PointerKind::Down, 800, 350);
+    for (int i = 1; i <= 6; ++i) turn(rig, 800 + 5 * i);
+  }
+};
+
+TEST_CASE("where a processor draws, frames have fewer pixels while a hand moves, and all while it rests") {
+  Turned turned(true);
+  Rig& rig = turned.rig;
+  CHECK(rig.gl->last.dpr == 2.0 / 3);
+  CHECK(rig.host.canvas == platform::CanvasSize{1200, 700, 2.0 / 3});
+  CHECK_FALSE(rig.app->idle());
+  rig.settle();
+  CHECK(rig.gl->last.dpr == 1);  // held, and looked at
+  turn(rig, 840);
+  CHECK(rig.gl->last.dpr == 2.0 / 3);
+  rig.pointer(PointerKind::Up, 840, 350);
+  rig.app->frame();
+  CHECK(rig.gl->last.dpr == 1);
+  CHECK_FALSE(rig.gl->last.still);  // a hand that goes on at once does not wait for smooth edges
+  rig.settle();
+  CHECK(rig.gl->last.still);
+  CHECK(rig.host.canvas == platform::CanvasSize{1200, 700, 1});
+  CHECK(rig.app->idle());
+}
+
+TEST_CASE("a press that moves nothing shows no coarser frame") {
+  Rig rig;
+  rig.host.slow = true;
+  rig.openBar();
+  rig.drawBar();
+  rig.pointer(PointerKind::Down, 800, 350);
+  rig.app->frame();
+  CHECK(rig.gl->last.dpr == 1);
+  rig.pointer(PointerKind::Up, 800, 350);
+  rig.app->frame();
+  CHECK(rig.gl->last.dpr == 1);
+}
+
+TEST_CASE("where a graphics card draws, frames have all their pixels, and the last one does not wait") {
+  Turned turned(false);
+  Rig& rig = turned.rig;
+  CHECK(rig.gl->last.dpr == 1);
+  rig.pointer(PointerKind::Up, 840, 350);
+  while (std::exchange(rig.host.frameAsked, false)) rig.app->frame();
+  CHECK(rig.gl->last.still);
+}
+
+}  // namespace
+}  // namespace spineloft::test

@@ -1,0 +1,73 @@
+// The page's canvas: its size, its letters, and how many pixels a frame has.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "web/page/app.h"
+
+namespace spineloft::app {
+namespace {
+
+/// A hand that has not moved for so long rests.
+constexpr double kRestMs = 150;
+/// So many pixels a processor draws for every move of a hand.
+constexpr double kMovingPixels = 0.4e6;
+/// Of the pixels of a frame at rest, along a side: with odd shares the panels would jump by a pixel.
+constexpr std::array kShares{1.0, 2.0 / 3, 0.5, 1.0 / 3, 0.25};
+/// A press that moves nothing shows no coarser frame.
+constexpr int kFramesOfMotion = 3;
+
+}  // namespace
+
+void App::resize(const platform::CanvasSize& size) {
+  ui_.canvasWidth = std::max(1.0, size.width);
+  ui_.canvasHeight = std::max(1.0, size.height);
+  ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
+  if (fontDpr_ != ui_.dpr) fontDpr_ = 0;
+  layout();
+  touch(2);
+}
+
+/// The letters of the canvas for its pixels and the language.
+void App::makeFonts() {
+  if (fontDpr_ == ui_.dpr) return;
+  fontDpr_ = ui_.dpr;
+  fonts_ = buildFonts(fontFiles_, ui_.dpr);
+  renderer_->fontsChanged();
+}
+
+void App::warmUp() {
+  if (lost_ || frames_ > 0) return;
+  if (fontDpr_ == ui_.dpr) return drawFrame();
+  makeFonts();
+}
+
+/// Of the frame that begins: where a processor draws, it comes sooner with fewer pixels while something moves.
+void App::chooseDensity() {
+  const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+  const bool flies = moving() && !studio_.works(), inHand = gestures_.active() || dragsControl;
+  movingFrames_ = flies || inHand ? movingFrames_ + 1 : 0;
+  platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
+  const bool coarse = movingFrames_ >= kFramesOfMotion && (flies || !handRests());
+  if (coarse && host_.drawsSlowly()) {
+    const auto pixels = [&](double dpr) { return size.width * size.height * dpr * dpr; };
+    const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
+    size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
+  }
+  host_.setPixels(size);
+  density_ = size.dpr;
+}
+
+/// The hand has not moved for a while, or frames are so quick that they need not wait for that: then one may take
+/// longer and look better.
+bool App::handRests() const { return !host_.drawsSlowly() || host_.nowMs() - handMovedMs_ >= kRestMs; }
+
+/// A frame for a hand that will rest.
+void App::awaitRest() {
+  if (restPending_ || handRests()) return;
+  restPending_ = true;
+  host_.wakeAfter(kRestMs);
+}
+
+}  // namespace spineloft::app
