@@ -8,6 +8,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
+#include "tests/support/random_programs.h"
 
 using namespace spineloft;
 
@@ -145,11 +147,37 @@ void printStageTimes() {
   bench::reportTwoWorkers(picture, report);
 }
 
+std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix) {
+  std::vector<std::vector<double>> out;
+  for (const auto& row : matrix.rowwise()) out.emplace_back(row.begin(), row.end());
+  return out;
+}
+
+/// One line of JSON a random quadratic program: it, and its optimum.
+void printPrograms(std::uint64_t count) {
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    const testing::RandomProgram program = testing::randomProgram(seed);
+    nlohmann::json rows = nlohmann::json::array();
+    for (const geometry::QpRow& row : program.qp.rows) {
+      std::vector<double> dense(program.qp.unknowns);
+      for (const geometry::QpTerm& term : row.terms) dense[term.unknown] = term.value;
+      rows.push_back({{"row", dense}, {"least", row.least}});
+    }
+    const nlohmann::json line{{"energy", rowsOf(program.energy)},
+                              {"linear", program.qp.linear},
+                              {"rows", rows},
+                              {"z", must(geometry::solveQp(program.qp)).z}};
+    std::cout << line.dump() << '\n';
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   if (count == 3 && std::string(words[1]) == "--ribs") {
     printRibs(words[2]);
+  } else if (count == 3 && std::string(words[1]) == "--programs") {
+    printPrograms(std::strtoull(words[2], nullptr, 10));
   } else if (count == 2 && std::string(words[1]) == "--photo") {
     bench::Report report;
     bench::reportPhoto(report);
@@ -171,8 +199,9 @@ int main(int count, char** words) {
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr
-        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --workers, or --ribs and a case folder\n";
+    std::cerr << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --workers, --programs and a number, "
+                 "or --ribs and a "
+                 "case folder\n";
     return 2;
   }
   return 0;

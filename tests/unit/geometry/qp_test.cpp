@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/rng.h"
+#include "tests/support/random_programs.h"
 #include "tests/support/rounds.h"
 
 using namespace spineloft;
@@ -18,52 +19,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-/// A program with a solution: its rows hold at a random point.
-struct Random {
-  Qp qp;
-  Matrix energy;
-  Vector linear;
-};
-
-Random randomProgram(std::uint64_t seed) {
-  Rng rng(seed);
-  const auto n = 2 + rng.below(14), rows = 1 + rng.below(24);
-  Random out;
-  Matrix root(n, n);
-  for (auto& value : root.reshaped()) value = rng.uniform(-1, 1);
-  out.energy = root * root.transpose() + Matrix::Identity(n, n) * rng.uniform(0.05, 1);
-  out.linear = Vector(n);
-  Vector inside(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    out.linear[i] = rng.uniform(-2, 2);
-    inside[i] = rng.uniform(-1, 1);
-  }
-  out.qp.unknowns = n;
-  out.qp.linear.assign(out.linear.begin(), out.linear.end());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    for (std::uint32_t k = 0; k <= i; ++k) out.qp.energy.push_back({i, k, out.energy(i, k)});
-  }
-  for (std::uint32_t r = 0; r < rows; ++r) {
-    QpRow row;
-    double there = 0;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      if (rng.uniform() < 0.4 && i > 0) continue;
-      row.terms.push_back({i, rng.uniform(-1, 1)});
-      there += row.terms.back().value * inside[i];
-    }
-    // Some rows touch the point, so that many bind together; a few are multiples of the row before.
-    row.least = r < n / 2 ? there : there - rng.uniform();
-    row.group = rng.below(6);
-    if (r > 0 && rng.uniform() < 0.1) {
-      row = out.qp.rows.back();
-      for (QpTerm& term : row.terms) term.value *= 2;
-      row.least *= 2;
-    }
-    out.qp.rows.push_back(std::move(row));
-  }
-  return out;
-}
+using Random = RandomProgram;
 
 double along(const QpRow& row, const std::vector<double>& z) {
   double sum = 0;
