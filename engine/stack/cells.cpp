@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <ranges>
+#include <span>
 #include <utility>
 
 #include "engine/geometry/polygon.h"
@@ -33,17 +35,39 @@ struct Branch {
   double size = 0;  ///< square root of its area
 };
 
-/// The angles under which a branch is seen from a point, from the way ahead towards `aside`.
+/// The angles under which a branch is seen from a point, from the way ahead towards some direction aside.
 struct Interval {
   std::size_t branch = 0;  ///< in the list of the cell
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
-Interval seen(const Branch& branch, ModelPoint from, ModelPoint aside, ModelPoint ahead) {
-  Interval interval;
+
+/// A point of a branch from where it is seen: along two directions in the plane, and ahead.
+struct Seen {
+  double x = 0, y = 0, ahead = 0;
+};
+std::vector<Seen> seenFrom(const Branch& branch, ModelPoint from, ModelPoint x, ModelPoint y, ModelPoint ahead) {
+  std::vector<Seen> points;
   for (const ModelPoint& p : branch.loop->points) {
-    const double angle = std::atan2(dot(aside, p - from), dot(ahead, p - from));
+    points.push_back({dot(x, p - from), dot(y, p - from), dot(ahead, p - from)});
+  }
+  return points;
+}
+
+/// Towards x cos + y sin. Where all points lie ahead, an angle grows with its tangent, and only two are computed.
+Interval intervalOf(std::span<const Seen> points, double cos, double sin) {
+  Interval interval;
+  const auto aside = [&](const Seen& p) { return p.x * cos + p.y * sin; };
+  const auto take = [&](double angle) {
     interval.low = std::min(interval.low, angle);
     interval.high = std::max(interval.high, angle);
+  };
+  if (std::ranges::all_of(points, [](const Seen& p) { return p.ahead > 0; })) {
+    const auto [least, most] =
+        std::ranges::minmax(points | std::views::transform([&](const Seen& p) { return aside(p) / p.ahead; }));
+    take(std::atan(least));
+    take(std::atan(most));
+  } else {
+    for (const Seen& p : points) take(std::atan2(aside(p), p.ahead));
   }
   return interval;
 }
@@ -58,17 +82,20 @@ struct Parting {
 Parting widestGap(const std::vector<Branch>& branches, ModelPoint centre, ModelPoint x, ModelPoint y) {
   constexpr int kDirections = 180;
   constexpr double kUneven = 0.1;
-  const ModelPoint ahead = cross(x, y);
   double total = 0;
-  for (const Branch& branch : branches) total += branch.size;
+  std::vector<std::vector<Seen>> points;
+  for (const Branch& branch : branches) {
+    total += branch.size;
+    points.push_back(seenFrom(branch, centre, x, y, cross(x, y)));
+  }
   Parting best;
   double most = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < kDirections; ++i) {
     const double angle = std::numbers::pi * i / kDirections;
-    const ModelPoint aside = x * std::cos(angle) + y * std::sin(angle);
+    const double cos = std::cos(angle), sin = std::sin(angle);
     std::vector<Interval> order;
     for (std::size_t b = 0; b < branches.size(); ++b) {
-      order.push_back(seen(branches[b], centre, aside, ahead));
+      order.push_back(intervalOf(points[b], cos, sin));
       order.back().branch = b;
     }
     std::ranges::stable_sort(order, {}, [](const Interval& v) { return v.low + v.high; });
@@ -82,7 +109,7 @@ Parting widestGap(const std::vector<Branch>& branches, ModelPoint centre, ModelP
       const double score = gap * (gap > 0 ? 1 - uneven : 1 + uneven);
       if (score <= most + 1e-12) continue;
       most = score;
-      best = {aside, {}, {}};
+      best = {x * cos + y * sin, {}, {}};
       for (std::size_t j = 0; j < order.size(); ++j) (j <= k ? best.first : best.second).push_back(order[j].branch);
     }
   }
@@ -184,7 +211,7 @@ class Cutter {
       for (const std::size_t index : second ? parting.second : parting.first) {
         const Branch& branch = branches[index];
         groups[second].push_back(branch);
-        const Interval interval = seen(branch, middle, n, up);
+        const Interval interval = intervalOf(seenFrom(branch, middle, n, n, up), 1, 0);
         for (const ModelPoint& p : branch.loop->points) {
           const double aside = dot(n, p - middle);
           if (second) above = std::min(above, aside);

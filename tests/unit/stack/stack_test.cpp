@@ -260,6 +260,32 @@ TEST_CASE("what was drawn is there: every sheet cuts the solid in its curves") {
   }
 }
 
+TEST_CASE("what is drawn within a ring does not belong to the ring, however many rings there are") {
+  // Rings within rings, each 11 thick and 11 apart, that lean and shrink.
+  const auto rings = [](int count, double share, double aside) {
+    std::vector<Curve> curves;
+    for (int i = 0; i < 2 * count; ++i) curves.push_back(circle((20 + 11 * i) * share, {aside, 0}));
+    return curves;
+  };
+  for (const int count : {1, 2, 8}) {
+    CAPTURE(count);
+    const std::vector<Plane> planes{onRail(0, rings(count, 1, 0)), onRail(0.5, rings(count, 1, 3)),
+                                    onRail(1, rings(count, 0.95, 6))};
+    const mesh::TriMesh mesh = made(planes, up(200));
+    const mesh::MeshReport report = requireLawful(mesh);
+    CHECK(report.shells == count);
+    CHECK(report.genus == count);
+    CHECK_FALSE(mesh::selfCrossing(mesh));
+  }
+  // A wall thinner than the step: no ring overlaps with the next one, but there is no other.
+  const mesh::TriMesh cone = made(
+      {onRail(0, {circle(50), circle(47)}), onRail(0.5, {circle(40), circle(37)}), onRail(1, {circle(30), circle(27)})},
+      up(200));
+  const mesh::MeshReport report = requireLawful(cone);
+  CHECK(report.shells == 1);
+  CHECK(report.genus == 1);
+}
+
 TEST_CASE("holes go with the curve that they are in; one without a partner is a pocket") {
   const auto pipe =
       made({onRail(0, {circle(40), circle(20)}), onRail(1, {circle(30, {10, 0}), circle(10, {12, 2})})}, up(100));
