@@ -149,14 +149,27 @@ std::vector<Parted> part(std::span<const Contour> row) {
   return all;
 }
 
-/// How badly b fits on a where places of `of` belong together: Σ|a − R(−θ)b|² with what turning costs.
-double misfit(const Parted& a, const Parted& b, const std::vector<double>& placesOfB) {
+/// A curve at even places of the coordinate.
+struct Probe {
+  double place = 0;
+  SectionPoint at;
+};
+std::vector<Probe> probesOf(const Parted& parted) {
   constexpr int kProbes = 96;
+  std::vector<Probe> probes;
+  for (int i = 0; i < kProbes; ++i) {
+    const double place = parted.place.front() + static_cast<double>(i) / kProbes;
+    probes.push_back({place, parted.at(parted.place, place)});
+  }
+  return probes;
+}
+
+/// How badly b fits on the probes of a where places belong together: Σ|a − R(−θ)b|² with what turning costs.
+double misfit(std::span<const Probe> a, const Parted& b, const std::vector<double>& placesOfB) {
   constexpr double kQuarter = std::numbers::pi / 2, kAlike = 1e-3;  // of equal fits the one that turns less
   double along = 0, about = 0, size = 0;
-  for (int i = 0; i < kProbes; ++i) {
-    const double place = a.place.front() + static_cast<double>(i) / kProbes;
-    const SectionPoint p = a.at(a.place, place), q = b.at(placesOfB, place);
+  for (const auto& [place, p] : a) {
+    const SectionPoint q = b.at(placesOfB, place);
     along += dot(p, q);
     about += cross(p, q);
     size += dot(p, p) + dot(q, q);
@@ -180,9 +193,10 @@ std::vector<double> leastTurnPlaces(const Parted& last, const Parted& next) {
   constexpr std::size_t kShifts = 96, kMostCorners = 24;
   std::vector<double> best, places(next.arc.size());
   double least = std::numeric_limits<double>::infinity();
+  const std::vector<Probe> probes = probesOf(last);
   const auto consider = [&] {
     constexpr double kBetter = 1 - 1e-9;
-    const double cost = misfit(last, next, places);
+    const double cost = misfit(probes, next, places);
     if (cost >= least * kBetter) return;
     least = cost;
     best = places;

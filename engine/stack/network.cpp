@@ -148,9 +148,9 @@ bool liesInHole(const Points& outline, const Sheets& sheets, const std::vector<D
 Pair pairOf(const Sheets& sheets, const std::vector<Drawn>& curves, std::size_t i, std::size_t j) {
   const Sheet& seenFrom = sheets.all[curves[i].sheet];
   const Points from = footprint(sheets, curves[i], seenFrom), to = footprint(sheets, curves[j], seenFrom);
-  Pair pair{i, j, overlapOf(from, to), distance(geometry::centroid(from), geometry::centroid(to)), 0};
-  const bool apart = liesInHole(from, sheets, curves, j, seenFrom) || liesInHole(to, sheets, curves, i, seenFrom);
-  if (!curves[i].hole && apart) pair.overlap = 0;
+  const bool apart =
+      !curves[i].hole && (liesInHole(from, sheets, curves, j, seenFrom) || liesInHole(to, sheets, curves, i, seenFrom));
+  Pair pair{i, j, apart ? 0 : overlapOf(from, to), distance(geometry::centroid(from), geometry::centroid(to)), 0};
   pair.gap = (pair.away - curves[i].radius - curves[j].radius) / (2 * std::max(curves[i].radius, curves[j].radius));
   return pair;
 }
