@@ -40,6 +40,12 @@ std::vector<Drawn> curvesOf(const Sheets& sheets) {
       curves.push_back(std::move(curve));
     }
     for (std::size_t i = first; i < curves.size(); ++i) curves[i].centre = curves[curves[i].outer].centre;
+    for (std::size_t i = first; i < curves.size(); ++i) {
+      const SectionPoint on = pieces[curves[curves[i].outer].piece].contour.points.front();
+      curves[i].depth = static_cast<int>(std::ranges::count_if(pieces, [&](const auto& piece) {
+        return piece.hole && geometry::holds(std::span<const SectionPoint>(piece.contour.points), on);
+      }));
+    }
   }
   return curves;
 }
@@ -92,6 +98,7 @@ double overlapOf(const Points& a, const Points& b) {
 /// Two curves of neighbouring sheets that may belong together.
 struct Pair {
   std::size_t from = 0, to = 0;
+  int fromDepth = 0, toDepth = 0;
   double overlap = 0, away = 0, gap = 0;  ///< gap in sizes of the larger one
 };
 
@@ -100,7 +107,8 @@ class Pairing {
  public:
   explicit Pairing(std::vector<Pair> pairs) : pairs_(std::move(pairs)) {
     constexpr double kOverlaps = 0.2, kFarthest = 3;
-    std::ranges::stable_sort(pairs_, [](const Pair& a, const Pair& b) { return a.overlap > b.overlap; });
+    std::ranges::stable_sort(pairs_, {},
+                             [](const Pair& p) { return std::pair(std::abs(p.fromDepth - p.toDepth), -p.overlap); });
     for (const Pair& pair : pairs_) {
       if (pair.overlap >= kOverlaps) join(pair);
     }
@@ -119,9 +127,11 @@ class Pairing {
   }
 
  private:
-  /// Unless a group would then have several curves on both sides.
+  /// Unless a group would then have several curves on both sides, or one that lies in another.
   void join(const Pair& pair) {
     for (const Pair& other : joined_) {
+      if (other.from == pair.from && other.toDepth != pair.toDepth) return;
+      if (other.to == pair.to && other.fromDepth != pair.fromDepth) return;
       if (other.from == pair.from && (other.to == pair.to || count(other.to, false) > 1)) return;
       if (other.to == pair.to && count(other.from, true) > 1) return;
     }
@@ -148,9 +158,12 @@ bool liesInHole(const Points& outline, const Sheets& sheets, const std::vector<D
 Pair pairOf(const Sheets& sheets, const std::vector<Drawn>& curves, std::size_t i, std::size_t j) {
   const Sheet& seenFrom = sheets.all[curves[i].sheet];
   const Points from = footprint(sheets, curves[i], seenFrom), to = footprint(sheets, curves[j], seenFrom);
+  const int here = curves[i].depth, there = curves[j].depth;
   const bool apart =
-      !curves[i].hole && (liesInHole(from, sheets, curves, j, seenFrom) || liesInHole(to, sheets, curves, i, seenFrom));
-  Pair pair{i, j, apart ? 0 : overlapOf(from, to), distance(geometry::centroid(from), geometry::centroid(to)), 0};
+      here != there && (liesInHole(from, sheets, curves, j, seenFrom) || liesInHole(to, sheets, curves, i, seenFrom));
+  Pair pair{
+      i, j, here, there, apart ? 0 : overlapOf(from, to), distance(geometry::centroid(from), geometry::centroid(to)),
+      0};
   pair.gap = (pair.away - curves[i].radius - curves[j].radius) / (2 * std::max(curves[i].radius, curves[j].radius));
   return pair;
 }

@@ -17,6 +17,7 @@ struct Drawn {
   std::size_t sheet = 0, piece = 0;
   bool hole = false;
   std::size_t outer = 0;                    ///< of a hole the curve round it, else the curve itself
+  int depth = 0;                            ///< of how many rings the outer one lies in the hole
   SectionPoint centre;                      ///< of the area of the outer one, plane coordinates
   double radius = 0;                        ///< of the circle of equal area
   std::size_t up = kNone, down = kNone;     ///< the one curve that it becomes, and the one that it was
