@@ -107,12 +107,12 @@ class Pairing {
  public:
   explicit Pairing(std::vector<Pair> pairs) : pairs_(std::move(pairs)) {
     constexpr double kOverlaps = 0.2, kFarthest = 3;
-    std::ranges::stable_sort(pairs_, {},
-                             [](const Pair& p) { return std::pair(std::abs(p.fromDepth - p.toDepth), -p.overlap); });
+    const auto apart = [](const Pair& p) { return std::abs(p.fromDepth - p.toDepth); };
+    std::ranges::stable_sort(pairs_, {}, [&](const Pair& p) { return std::pair(apart(p), -p.overlap); });
     for (const Pair& pair : pairs_) {
       if (pair.overlap >= kOverlaps) join(pair);
     }
-    std::ranges::stable_sort(pairs_, [](const Pair& a, const Pair& b) { return a.away < b.away; });
+    std::ranges::stable_sort(pairs_, {}, [&](const Pair& p) { return std::pair(apart(p), p.away); });
     for (const bool both : {true, false}) {  // first those of which neither has a partner
       for (const Pair& pair : pairs_) {
         const bool from = count(pair.from, true) > 0, to = count(pair.to, false) > 0;

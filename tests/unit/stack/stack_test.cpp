@@ -286,6 +286,32 @@ TEST_CASE("what is drawn within a ring does not belong to the ring, however many
   CHECK(report.genus == 1);
 }
 
+TEST_CASE("random rings within rings, more or fewer from plane to plane, are lawful and do not cross") {
+  for (const std::uint64_t seed : seeds(0, 40)) {
+    CAPTURE(seed);
+    Rng rng(seed);
+    const int planes = 2 + static_cast<int>(rng.below(4)), usual = 1 + static_cast<int>(rng.below(4));
+    std::vector<Plane> all;
+    SectionPoint centre;
+    for (int k = 0; k < planes; ++k) {
+      const int rings = std::max(1, usual - 1 + static_cast<int>(rng.below(3)));
+      const double step = 40 * rng.uniform(0.8, 1.2);
+      std::vector<Curve> curves;
+      for (int i = rings; i > 0; --i) {
+        curves.push_back(circle(step * i, centre));
+        const bool isDisc = i == 1 && rng.uniform() < 0.5;
+        if (!isDisc)
+          curves.push_back(circle(step * (i - rng.uniform(0.2, 0.8)), centre + SectionPoint{rng.uniform(-1, 1), 0}));
+      }
+      all.push_back(onRail(static_cast<double>(k) / (planes - 1), std::move(curves)));
+      centre = centre + SectionPoint{rng.uniform(-8, 8), rng.uniform(-8, 8)};
+    }
+    const mesh::TriMesh mesh = made(all, up(120.0 * (planes - 1)));
+    requireLawful(mesh);
+    CHECK_FALSE(mesh::selfCrossing(mesh));
+  }
+}
+
 TEST_CASE("holes go with the curve that they are in; one without a partner is a pocket") {
   const auto pipe =
       made({onRail(0, {circle(40), circle(20)}), onRail(1, {circle(30, {10, 0}), circle(10, {12, 2})})}, up(100));
