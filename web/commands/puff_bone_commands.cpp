@@ -4,7 +4,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <variant>
 
 #include "engine/geometry/line_distance.h"
 #include "engine/inflate/thin_rings.h"
@@ -252,10 +251,6 @@ Outcome setSliceAt(Env env, PartId part, PicturePoint at, const sections::Sectio
 
 Status actOnPuffs(Env env, const std::vector<PartId>& parts, std::span<const document::Action> actions,
                   std::string_view burst) {
-  const auto shapes = [](const document::Action& action) {
-    return std::holds_alternative<document::ShapeRegion>(action);
-  };
-  if (std::ranges::none_of(actions, shapes)) return env.studio.act(actions, burst);
   const auto thin = [&] {
     int count = 0;
     for (const PartId id : parts) {
