@@ -4,12 +4,16 @@
 // in the build's folder; PATTERN of the paths of objects. The program is linked with the linker's names of functions, and
 // equal functions are still apart: one of two would be called by the name of either.
 import { readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { mainProgram, output, Stop } from './lib/run.mjs';
 
-/** Object files of the engine and of the page. */
-function pageObjects() {
-  return ['CMakeFiles/spineloft_engine.dir', 'web/CMakeFiles'].flatMap((folder) =>
+/** Object files that a program is linked of. */
+function objectsOf(program) {
+  const name = basename(program, '.wasm');
+  const pool = name.endsWith('_single') ? 'spineloft_no_threads' : 'spineloft_threads';
+  const own = ['spineloft_app', 'spineloft_web_objects', name].map((target) => `web/CMakeFiles/${target}.dir`);
+  const folders = [...['spineloft_engine', pool].map((target) => `CMakeFiles/${target}.dir`), ...own];
+  return folders.flatMap((folder) =>
     readdirSync(folder, { recursive: true })
       .filter((path) => path.endsWith('.o'))
       .map((path) => join(folder, path)),
@@ -31,7 +35,7 @@ function functionsOf(emscripten, objects) {
 await mainProgram(() => {
   const [emscripten, program, second, pattern] = process.argv.slice(2);
   const isSecond = new RegExp(pattern);
-  const objects = pageObjects();
+  const objects = objectsOf(program);
   const moved = new Set(
     functionsOf(
       emscripten,

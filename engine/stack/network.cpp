@@ -142,28 +142,16 @@ class Pairing {
   std::vector<Pair> pairs_, joined_;
 };
 
-/// More than half of the outline lies in a hole of the curve: what is drawn within a ring does not belong to the ring.
-bool liesInHole(const Points& outline, const Sheets& sheets, const std::vector<Drawn>& curves, std::size_t curve,
-                const Sheet& seenFrom) {
-  for (std::size_t h = 0; h < curves.size(); ++h) {
-    if (!curves[h].hole || curves[h].outer != curve) continue;
-    const Points hole = footprint(sheets, curves[h], seenFrom);
-    const auto inside = std::ranges::count_if(
-        outline, [&](SectionPoint p) { return geometry::holds(std::span<const SectionPoint>(hole), p); });
-    if (2 * inside > std::ssize(outline)) return true;
-  }
-  return false;
-}
-
 Pair pairOf(const Sheets& sheets, const std::vector<Drawn>& curves, std::size_t i, std::size_t j) {
   const Sheet& seenFrom = sheets.all[curves[i].sheet];
   const Points from = footprint(sheets, curves[i], seenFrom), to = footprint(sheets, curves[j], seenFrom);
-  const int here = curves[i].depth, there = curves[j].depth;
-  const bool apart =
-      here != there && (liesInHole(from, sheets, curves, j, seenFrom) || liesInHole(to, sheets, curves, i, seenFrom));
-  Pair pair{
-      i, j, here, there, apart ? 0 : overlapOf(from, to), distance(geometry::centroid(from), geometry::centroid(to)),
-      0};
+  Pair pair{i,
+            j,
+            curves[i].depth,
+            curves[j].depth,
+            overlapOf(from, to),
+            distance(geometry::centroid(from), geometry::centroid(to)),
+            0};
   pair.gap = (pair.away - curves[i].radius - curves[j].radius) / (2 * std::max(curves[i].radius, curves[j].radius));
   return pair;
 }

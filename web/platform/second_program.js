@@ -1,4 +1,4 @@
-// Functions that a first part does without are a program of their own (see SECOND_PROGRAM in web/CMakeLists.txt). The page
+// Functions that a first part does without are a program of their own (see SECOND_OBJECTS in web/CMakeLists.txt). The page
 // fetches it once it can be used; whoever calls one of them earlier, or on a thread, waits for it here.
 // Emscripten puts this at the beginning of its loader: on the page and in every thread.
 const ownImports = getWasmImports;
