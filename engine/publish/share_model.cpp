@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -17,9 +18,9 @@
 namespace spineloft::publish {
 namespace {
 
-/// What outlines of ends are shortened for, characters, and the numbers of points that are tried, all of them first.
+/// What outlines of ends are shortened for, characters, and the numbers of points that are tried: the first that fits.
 constexpr std::size_t kMostPartText = 150;
-constexpr std::array<std::size_t, 3> kFanPoints{ribs::kMostFanPoints, 5, 3};
+constexpr std::array<std::size_t, 6> kFanPoints{ribs::kMostFanPoints, 5, 4, 3, 2, 1};
 
 /// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
 /// is close to that of the shape, and a rib on a point of the one is on the same point of the other.
@@ -70,15 +71,11 @@ std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const i
   return mean;
 }
 
-/// Characters of the text of a model with only this part, on paper instead of its photo.
-std::size_t lengthAlone(const document::PictureEntry& photo, document::LoftRecipe recipe) {
-  document::PictureEntry paper;
-  paper.id = photo.id;
-  paper.size = photo.size;
-  document::Part part;
-  part.recipe = std::move(recipe);
+/// Characters of the text of a model of this name that is only this part of this photo.
+std::size_t lengthAlone(const std::string& name, const document::PictureEntry& photo, document::Part part) {
   document::Document model;
-  model.pictures.emplace_back(std::move(paper));
+  model.name = name;
+  model.pictures.emplace_back(photo);
   model.parts.emplace_back(std::move(part));
   const Result<std::string> text = io::writeShareText(model);
   return text.ok() ? text.value().size() : std::numeric_limits<std::size_t>::max();
@@ -103,15 +100,24 @@ std::vector<ribs::RibPoint> someOf(const std::vector<ribs::RibPoint>& fan, std::
   return some;
 }
 
-/// Puts the outlines of both ends where they are: as they are if the part alone takes at most kMostPartText characters
-/// then, else a few of their points.
-void fixFans(const document::PictureEntry& photo, const ribs::RibSet& found, document::LoftRecipe& loft) {
-  const std::vector<ribs::RibPoint> start = fixedFan(found.startFan, found.ribs.front(), true),
-                                    end = fixedFan(found.endFan, found.ribs.back(), false);
+/// Fixes what was found of a loft: its ends where they are, its outlines of both ends as they are if that makes at most
+/// kMostPartText characters, else with a few of their points.
+void fixLoft(const pipeline::PartShape& shape, image::Size photo, document::LoftRecipe& loft,
+             const std::function<std::size_t(const document::LoftRecipe&)>& lengthOf) {
+  const auto with = [&](const StrokeAndSpine& line) {
+    document::LoftRecipe on = loft;
+    on.stroke = line.stroke;
+    on.edits = fixedEnds(shape, line.spine, loft.edits);
+    return on;
+  };
+  loft = with(shortStroke({loft.stroke, shape.spine}, photo, loft.spine,
+                          [&](const StrokeAndSpine& line) { return lengthOf(with(line)); }));
+  const std::vector<ribs::RibPoint> start = fixedFan(shape.ribs.startFan, shape.ribs.ribs.front(), true),
+                                    end = fixedFan(shape.ribs.endFan, shape.ribs.ribs.back(), false);
   for (const std::size_t points : kFanPoints) {
     loft.edits.startFan = someOf(start, points);
     loft.edits.endFan = someOf(end, points);
-    if (lengthAlone(photo, loft) <= kMostPartText) return;
+    if (lengthOf(loft) <= kMostPartText) return;
   }
 }
 
@@ -124,22 +130,17 @@ document::Document fixed(const document::Document& document, const pipeline::Der
     const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(part));
     const auto& shape = derived.parts[i].shape;
     if (entry == nullptr || entry->isSketch() || !shape) continue;
-    if (document::LoftRecipe* loft = document::loftOf(part)) {
-      const auto lengthOf = [&](const StrokeAndSpine& line) {
-        document::LoftRecipe on = *loft;
-        on.stroke = line.stroke;
-        on.edits = fixedEnds(*shape, line.spine, loft->edits);
-        return lengthAlone(*entry, std::move(on));
-      };
-      StrokeAndSpine shorter = shortStroke({loft->stroke, shape->spine}, entry->size, loft->spine, lengthOf);
-      loft->edits = fixedEnds(*shape, shorter.spine, loft->edits);
-      loft->stroke = std::move(shorter.stroke);
-      fixFans(*entry, shape->ribs, *loft);
-    }
     if (part.look.textured) {
       part.look.textured = copies.contains(entry->id);
       part.look.paint = surface::Paint::Plain;
       part.look.colour = meanColour(*shape, entry->picture->working, part.look.colour);
+    }
+    if (document::LoftRecipe* loft = document::loftOf(part)) {
+      fixLoft(*shape, entry->size, *loft, [&](const document::LoftRecipe& recipe) {
+        document::Part alone = part;
+        alone.recipe = recipe;
+        return lengthAlone(document.name, *entry, std::move(alone));
+      });
     }
     out.parts[i] = std::move(part);
   }
