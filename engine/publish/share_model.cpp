@@ -20,7 +20,7 @@ namespace {
 
 /// What outlines of ends are shortened for, characters, and the numbers of points that are tried: the first that fits.
 constexpr std::size_t kMostPartText = 150;
-constexpr std::array<std::size_t, 6> kFanPoints{ribs::kMostFanPoints, 5, 4, 3, 2, 1};
+constexpr std::array<std::size_t, 4> kFanPoints{ribs::kMostFanPoints, 5, 3, 1};
 
 /// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
 /// is close to that of the shape, and a rib on a point of the one is on the same point of the other.
@@ -92,7 +92,7 @@ std::vector<ribs::RibPoint> fixedFan(const ribs::EndFan& fan, const ribs::Rib& r
   return middle.x > 0 ? std::move(edits.startFan) : std::vector{middle};
 }
 
-/// So many of the points, evenly.
+/// So many of the points, evenly; of an odd number with the middle one, at which a cap ends (loft/caps.h).
 std::vector<ribs::RibPoint> someOf(const std::vector<ribs::RibPoint>& fan, std::size_t count) {
   if (fan.size() <= count) return fan;
   std::vector<ribs::RibPoint> some;
