@@ -328,6 +328,13 @@ test('a part along a spine is made, undone and kept without the second program o
     },
   ));
 
+const squareOutline = [
+  [100, 60],
+  [300, 60],
+  [300, 240],
+  [100, 240],
+];
+
 test('what needs the second program while it is away waits for it, says so, and goes on', () => {
   let isAway = true;
   return onSpoiltPage(
@@ -342,18 +349,35 @@ test('what needs the second program while it is away waits for it, says so, and 
       });
       await run(page, 'new-sketch', { width: 400, height: 300 });
       await run(page, 'draw-puff', {
-        contours: [
-          [
-            [100, 60],
-            [300, 60],
-            [300, 240],
-            [100, 240],
-          ],
-        ],
+        contours: [squareOutline],
       });
       assert.equal((await state(page)).parts.length, 1);
       assert.equal(asked.length, 1);
       assert.match(asked[0], /still missing. Check the connection/);
+    },
+  );
+});
+
+test('a page whose second program is gone from the server says so once and is loaded again, with what was kept', () => {
+  let isGone = true;
+  return onSpoiltPage(
+    (page) => page.route('**/*-second-*.wasm', (route) => (isGone ? route.fulfill({ status: 404 }) : route.continue())),
+    async (page) => {
+      await openWithPart(page, tube.png, tube.middle);
+      await page.waitForFunction(async () => (await window.spineloft.models()).length === 1);
+      const asked = [];
+      page.on('dialog', (dialog) => {
+        asked.push(dialog.message());
+        isGone = false;
+        void dialog.accept();
+      });
+      const loaded = page.waitForEvent('load');
+      void run(page, 'draw-puff', { contours: [squareOutline] }).catch(() => undefined); // the page is left
+      await loaded;
+      await page.evaluate(() => window.spineloft.ready);
+      await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
+      assert.equal(asked.length, 1);
+      assert.match(asked[0], /no longer on its server/);
     },
   );
 });

@@ -14,13 +14,18 @@ function startSecond(program) {
   isSecondThere = true;
 }
 
+/** The server answers that there is no such file, as where another release took the place of this one. */
+class Gone extends Error {}
+
 function fetchSecondAtOnce() {
   const request = new XMLHttpRequest();
   request.open('GET', secondAddress(), false);
   // The one way to bytes that a request without waiting has on a page.
   request.overrideMimeType('text/plain; charset=x-user-defined');
   request.send();
-  if (request.status !== 200) throw new Error(`${secondAddress()}: ${request.status}`);
+  const why = `${secondAddress()}: ${request.status}`;
+  if (request.status >= 400 && request.status < 500) throw new Gone(why);
+  if (request.status !== 200) throw new Error(why);
   return Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0));
 }
 
@@ -33,7 +38,8 @@ function secondAtOnce() {
     try {
       return new WebAssembly.Module(fetchSecondAtOnce());
     } catch (thrown) {
-      if (tries === kTries) throw thrown;
+      if (thrown instanceof Gone) Module['loadAgain']?.();
+      if (thrown instanceof Gone || tries === kTries) throw thrown;
     }
     if (Module['askForNetwork']) Module['askForNetwork']();
     else Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, kPauseMs);

@@ -10,10 +10,11 @@ import { cutEventAt, cutterOf, meshesAt, solverOf } from './engine_workers.ts';
 import type { Fonts, Script } from './fonts.ts';
 import type { About } from './keep/journal_writer.ts';
 import type { RawPhoto } from './keep/pack.ts';
+import { whereItIsMissing } from './missing_program.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Probe, WorkingCopy } from './picture.ts';
 import type { SolveEvent, Solver } from './solids/solver.ts';
-import { forCanvas, t } from './words/words.ts';
+import { forCanvas } from './words/words.ts';
 import type { Language } from './words/words.ts';
 
 export type { EngineEvent, Offer } from './engine_events.ts';
@@ -200,8 +201,7 @@ export async function loadEngine(canvas: HTMLCanvasElement, onEvent: (event: Eng
     canvas,
     host,
     sharp,
-    // Only a dialog keeps the page waiting within a call.
-    askForNetwork: () => alert(t('A part of SpineLoft is still missing. Check the connection, then press OK.')),
+    ...whereItIsMissing,
     mainScriptUrlOrBlob: boundScript(files.js), // of its threads
     locateFile: (name: string) => new URL(name, script).href,
   });
