@@ -25,10 +25,6 @@ constexpr double kUnknownUnit = 256;
 /// Points of fans are multiples of 1 / this where they are read: all machines read the same ones.
 constexpr double kFanDigits = 1048576;
 
-/// The grid of fans in steps of the one of rib ends. Along the outline, where a point makes less difference, halves are
-/// told.
-constexpr double kFanStep = 2;
-
 double onGrid(double value, double step) { return std::round(value / step) * step; }
 
 /// What the edits of a part's ribs are told by; without ribs where the stroke gives no spine.
@@ -125,13 +121,13 @@ class Expected {
 void tellFan(std::vector<ribs::RibPoint>& fan, const RibsOfText& row, double unit) {
   if (fan.empty()) return;
   const std::size_t count = fan.size(), middle = count / 2;
-  const double grid = kFanStep * row.step();
+  const double grid = row.step();
   std::vector<double> out{onGrid(fan[middle].x * unit - unit, grid)}, round;
   const Expected expected(count, out[0] + unit, unit, row.step());
   for (std::size_t i = 0; i < count; ++i) {
     const ribs::RibPoint away = fan[i] * unit - expected.at(i);
     if (i != middle) out.push_back(onGrid(dot(away, expected.out(i)), grid));
-    round.push_back(onGrid((i == middle ? -away.y : dot(away, expected.round(i))) / 2, grid));
+    round.push_back(onGrid(i == middle ? -away.y : dot(away, expected.round(i)), grid) / 2);
   }
   out.insert(out.end(), round.begin(), round.end());
   fan = inPairs(out);

@@ -20,7 +20,8 @@ struct TracedRibs {
 /// The edits of a recipe whose stroke is as a text keeps it, as a text tells them. A fan of n points is told by 2 n
 /// numbers, two of them in place of a point: how much farther out than half the width of its rib the middle point is,
 /// then for each other point how far it is out of an ellipse as far out as that (ribs::onEllipse), then for each half
-/// of how far it is beside its place there on the way round. Picture pixels, multiples of 4 shareStep.
+/// of how far it is beside its place there on the way round. Picture pixels, multiples of 2 shareStep, and the halves
+/// of shareStep.
 void tellEnds(document::LoftRecipe& recipe, image::Size picture, TracedRibs& traced);
 
 /// In the JSON of a document with such recipes the edits come to what a text of this version says.

@@ -4,34 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/hermite.h"
+#include "engine/geometry/through_points.h"
 
 namespace spineloft::loft {
 namespace {
-
-/// Slope at `b` of a smooth curve through a, b, c whose parameter is the distance along it.
-PicturePoint slopeAt(PicturePoint a, PicturePoint b, PicturePoint c) {
-  const double before = distance(a, b), after = distance(b, c);
-  if (!(before > 0) || !(after > 0)) return {};
-  return geometry::parabolaSlope(a, b, c, before, after);
-}
-
-/// A smooth curve through all points (cubic Hermite), `steps` pieces between neighbours; the first
-/// and last point only steer.
-void throughPoints(std::span<const PicturePoint> points, std::size_t steps, std::vector<PicturePoint>& out) {
-  out.clear();
-  out.reserve((points.size() - 3) * steps + 1);
-  for (std::size_t i = 1; i + 2 < points.size(); ++i) {
-    const PicturePoint a = points[i], b = points[i + 1];
-    const double span = distance(a, b);
-    const PicturePoint ma = slopeAt(points[i - 1], a, b) * span;
-    const PicturePoint mb = slopeAt(a, b, points[i + 2]) * span;
-    for (std::size_t k = 0; k < steps; ++k) {
-      out.push_back(geometry::hermite(a, b, ma, mb, static_cast<double>(k) / static_cast<double>(steps)));
-    }
-  }
-  out.push_back(points[points.size() - 2]);
-}
 
 /// Where the fan is farthest out: its middle.
 PicturePoint middleOf(std::span<const PicturePoint> fan) {
@@ -147,7 +123,7 @@ void fanCap(const CapSite& site, const CapPlan& plan, CapMemory& memory, Cap& ca
   frame.push_back(site.last.right);
   frame.push_back(site.before.right);
   std::vector<PicturePoint>& outline = memory.outline;
-  throughPoints(frame, steps, outline);
+  geometry::throughPoints(frame, steps, outline);
   const std::size_t half = outline.size() / 2;
   for (std::size_t k = 1; k < half; ++k) {
     admit({outline[k], outline[outline.size() - 1 - k]}, site, plan.limits, cap);

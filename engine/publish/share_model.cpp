@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/publish/end_outline.h"
 #include "engine/publish/share_copies.h"
 #include "engine/publish/short_stroke.h"
 #include "engine/ribs/edit/places.h"
@@ -18,9 +19,8 @@
 namespace spineloft::publish {
 namespace {
 
-/// What outlines of ends are shortened for, characters, and the numbers of points that are tried: the first that fits.
+/// Where the text of a part would be longer, the outlines of its ends are told by less.
 constexpr std::size_t kMostPartText = 150;
-constexpr std::array<std::size_t, 4> kFanPoints{ribs::kMostFanPoints, 5, 3, 1};
 
 /// Both ends of every rib where they are, all left ones first: each line of ends is told from one to the next. `spine`
 /// is close to that of the shape, and a rib on a point of the one is on the same point of the other.
@@ -71,54 +71,99 @@ std::array<std::uint8_t, 3> meanColour(const pipeline::PartShape& shape, const i
   return mean;
 }
 
-/// Characters of the text of a model of this name that is only this part of this photo.
-std::size_t lengthAlone(const std::string& name, const document::PictureEntry& photo, document::Part part) {
-  document::Document model;
-  model.name = name;
-  model.pictures.emplace_back(photo);
-  model.parts.emplace_back(std::move(part));
-  const Result<std::string> text = io::writeShareText(model);
-  return text.ok() ? text.value().size() : std::numeric_limits<std::size_t>::max();
+/// A part of a photo as the only one of its model, in a text.
+struct Alone {
+  std::string name;
+  document::PictureEntry photo;
+  document::Part part;
+
+  document::Document model(const document::LoftRecipe& recipe) const {
+    document::Part with = part;
+    with.recipe = recipe;
+    document::Document alone;
+    alone.name = name;
+    alone.pictures.emplace_back(photo);
+    alone.parts.emplace_back(std::move(with));
+    return alone;
+  }
+  /// Characters.
+  std::size_t lengthOf(const document::LoftRecipe& recipe) const {
+    const Result<std::string> text = io::writeShareText(model(recipe));
+    return text.ok() ? text.value().size() : std::numeric_limits<std::size_t>::max();
+  }
+  /// The recipe as it comes back.
+  document::LoftRecipe kept(const document::LoftRecipe& recipe) const {
+    document::Document back = io::shareable(model(recipe));
+    if (back.parts.size() != 1) return recipe;
+    document::Part read = back.parts[0].get();
+    const document::LoftRecipe* loft = document::loftOf(read);
+    return loft != nullptr ? *loft : recipe;
+  }
+};
+
+/// The outermost ribs of an end where the ends of ribs are told as fixedEnds has them, and as they were found.
+EndRibs toldRibs(const ribs::Ruler& ruler, const std::vector<ribs::EndEdit>& ends, bool atStart) {
+  const std::size_t count = ends.size() / 2, last = atStart ? 0 : count - 1, before = atStart ? 1 : count - 2;
+  const auto chord = [&](std::size_t rib) {
+    return RibEnds{ruler.fromFrame(ends[rib]), ruler.fromFrame(ends[count + rib])};
+  };
+  return {chord(last), chord(before), atStart};
+}
+EndRibs foundRibs(const std::vector<ribs::Rib>& ribs, bool atStart) {
+  const auto chord = [](const ribs::Rib& rib) { return RibEnds{rib.left, rib.right}; };
+  return atStart ? EndRibs{chord(ribs.front()), chord(ribs[1]), true}
+                 : EndRibs{chord(ribs.back()), chord(ribs[ribs.size() - 2]), false};
 }
 
-/// The outline of an end on its rib: none on a rib that is as good as a point, which is where the part ends; the middle
-/// alone where that is not beyond the rib, at which a cap ends then (loft/caps.h).
-std::vector<ribs::RibPoint> fixedFan(const ribs::EndFan& fan, const ribs::Rib& rib, bool atStart) {
-  const ribs::RibFrame frame(rib.left, rib.right, atStart);
-  if (fan.points.empty() || !(frame.unit() >= 1)) return {};
-  ribs::RibEdits edits{.startFan = frame.fromPicture(fan.points)};
-  if (!ribs::isValid(edits)) return {};
-  const ribs::RibPoint middle = edits.startFan[edits.startFan.size() / 2];
-  return middle.x > 0 ? std::move(edits.startFan) : std::vector{middle};
+/// The outlines of both ends that are nearest to those found and make at most kMostPartText characters; the nearest
+/// ones where none do.
+void fixOutlines(const std::vector<EndOutline>& start, const std::vector<EndOutline>& end, const Alone& part,
+                 document::LoftRecipe& loft) {
+  struct Choice {
+    const EndOutline *start, *end;
+    double off() const { return std::max(start->off, end->off); }
+  };
+  std::vector<Choice> choices;
+  for (const EndOutline& one : start) {
+    for (const EndOutline& other : end) choices.push_back({&one, &other});
+  }
+  std::ranges::stable_sort(choices, {}, &Choice::off);
+  const auto put = [&](const EndOutline& one, const EndOutline& other) {
+    loft.edits.startFan = one.points;
+    loft.edits.endFan = other.points;
+    return part.lengthOf(loft) <= kMostPartText;
+  };
+  if (put(start.front(), end.front())) return;
+  for (const Choice& choice : choices) {
+    if (put(*choice.start, *choice.end)) return;
+  }
+  put(start.front(), end.front());
 }
 
-/// So many of the points, evenly; of an odd number with the middle one, at which a cap ends (loft/caps.h).
-std::vector<ribs::RibPoint> someOf(const std::vector<ribs::RibPoint>& fan, std::size_t count) {
-  if (fan.size() <= count) return fan;
-  std::vector<ribs::RibPoint> some;
-  for (std::size_t i = 1; i <= count; ++i) some.push_back(fan[(2 * i * (fan.size() + 1) / (count + 1) + 1) / 2 - 1]);
-  return some;
-}
-
-/// Fixes what was found of a loft: its ends where they are, its outlines of both ends as they are if that makes at most
-/// kMostPartText characters, else with a few of their points.
-void fixLoft(const pipeline::PartShape& shape, image::Size photo, document::LoftRecipe& loft,
-             const std::function<std::size_t(const document::LoftRecipe&)>& lengthOf) {
+/// Fixes what was found of a loft: its ends where they are, and the outlines beyond them.
+void fixLoft(const pipeline::PartShape& shape, const Alone& part, bool shorten, document::LoftRecipe& loft) {
+  const image::Size photo = part.photo.size;
   const auto with = [&](const StrokeAndSpine& line) {
     document::LoftRecipe on = loft;
     on.stroke = line.stroke;
     on.edits = fixedEnds(shape, line.spine, loft.edits);
+    on.edits.startFan = on.edits.endFan = {};
     return on;
   };
-  loft = with(shortStroke({loft.stroke, shape.spine}, photo, loft.spine,
-                          [&](const StrokeAndSpine& line) { return lengthOf(with(line)); }));
-  const std::vector<ribs::RibPoint> start = fixedFan(shape.ribs.startFan, shape.ribs.ribs.front(), true),
-                                    end = fixedFan(shape.ribs.endFan, shape.ribs.ribs.back(), false);
-  for (const std::size_t points : kFanPoints) {
-    loft.edits.startFan = someOf(start, points);
-    loft.edits.endFan = someOf(end, points);
-    if (lengthOf(loft) <= kMostPartText) return;
-  }
+  loft = part.kept(with(shortStroke({loft.stroke, shape.spine}, photo, loft.spine,
+                                    [&](const StrokeAndSpine& line) { return part.lengthOf(with(line)); })));
+  const std::vector<ribs::Rib>& ribs = shape.ribs.ribs;
+  const Result<ribs::Spine> spine = ribs::cleanSpine(loft.stroke, photo, loft.spine);
+  if (!spine || ribs.size() < 2 || loft.edits.ends.size() != 2 * ribs.size()) return;
+  const ribs::Ruler ruler(spine.value().points);
+  const auto outlines = [&](const ribs::EndFan& fan, bool atStart) {
+    return endOutlines(fan.points, foundRibs(ribs, atStart), toldRibs(ruler, loft.edits.ends, atStart),
+                       2 * io::shareStep(photo));
+  };
+  const std::vector<EndOutline> start = outlines(shape.ribs.startFan, true), end = outlines(shape.ribs.endFan, false);
+  if (shorten) return fixOutlines(start, end, part, loft);
+  loft.edits.startFan = start.front().points;
+  loft.edits.endFan = end.front().points;
 }
 
 /// withoutPhotos, but that parts go on to show photos of which there are copies.
@@ -136,11 +181,7 @@ document::Document fixed(const document::Document& document, const pipeline::Der
       part.look.colour = meanColour(*shape, entry->picture->working, part.look.colour);
     }
     if (document::LoftRecipe* loft = document::loftOf(part)) {
-      fixLoft(*shape, entry->size, *loft, [&](const document::LoftRecipe& recipe) {
-        document::Part alone = part;
-        alone.recipe = recipe;
-        return lengthAlone(document.name, *entry, std::move(alone));
-      });
+      fixLoft(*shape, {document.name, *entry, part}, copies.empty(), *loft);
     }
     out.parts[i] = std::move(part);
   }
