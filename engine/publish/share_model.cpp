@@ -142,6 +142,9 @@ void fixOutlines(const std::vector<EndOutline>& start, const std::vector<EndOutl
 
 /// Fixes what was found of a loft: its ends where they are, and the outlines beyond them.
 void fixLoft(const pipeline::PartShape& shape, const Alone& part, bool shorten, document::LoftRecipe& loft) {
+  const std::vector<ribs::Rib>& ribs = shape.ribs.ribs;
+  // What came out of a link goes into the next one as it is.
+  if (loft.edits.ends.size() == 2 * ribs.size() && part.kept(loft) == loft) return;
   const image::Size photo = part.photo.size;
   const auto with = [&](const StrokeAndSpine& line) {
     document::LoftRecipe on = loft;
@@ -152,7 +155,6 @@ void fixLoft(const pipeline::PartShape& shape, const Alone& part, bool shorten, 
   };
   loft = part.kept(with(shortStroke({loft.stroke, shape.spine}, photo, loft.spine,
                                     [&](const StrokeAndSpine& line) { return part.lengthOf(with(line)); })));
-  const std::vector<ribs::Rib>& ribs = shape.ribs.ribs;
   const Result<ribs::Spine> spine = ribs::cleanSpine(loft.stroke, photo, loft.spine);
   if (!spine || ribs.size() < 2 || loft.edits.ends.size() != 2 * ribs.size()) return;
   const ribs::Ruler ruler(spine.value().points);

@@ -229,6 +229,13 @@ TEST_CASE("the outline beyond an end is told by points at most a quarter of a pi
   CHECK(ends >= 7);
 }
 
+TEST_CASE("a model that came as a text is the same text again") {
+  const Document document = ofLimbs(3, 40);
+  const std::string text = shareModel(document, derivedOf(document)).value().text;
+  const Document read = io::readShareText(text).value();
+  CHECK(shareModel(read, derivedOf(read)).value().text == text);
+}
+
 TEST_CASE("an end that the part does not go beyond stays there") {
   Document document = onPhoto(40);
   const pipeline::Derived before = derivedOf(document);
