@@ -26,8 +26,8 @@ struct EndOutline {
   double off = 0;
 };
 
-/// An outline that is at most one step of a text's grid off, and others that are told in fewer characters
-/// (io/share_ends.h) and are farther off. `found`: from the left round to the right of `foundRibs`, picture pixels;
+/// An outline that is at most one step of a text's grid off, and behind it others that are told in fewer and fewer
+/// characters (io/share_ends.h). `found`: from the left round to the right of `foundRibs`, picture pixels;
 /// outlines are beside `toldRibs`. `step`: a text tells each coordinate of a point as a multiple of it, picture pixels.
 ///
 /// A point costs one number where the smooth curve that a loft draws through `found` crosses one of the rays on which a

@@ -134,8 +134,9 @@ void fixOutlines(const std::vector<EndOutline>& start, const std::vector<EndOutl
     return part.lengthOf(loft) <= kMostPartText;
   };
   if (put(start.front(), end.front())) return;
-  for (const Choice& choice : choices) {
-    if (put(*choice.start, *choice.end)) return;
+  const bool fits = put(start.back(), end.back());
+  for (auto choice = choices.begin(); fits && choice != choices.end(); ++choice) {
+    if (put(*choice->start, *choice->end)) return;
   }
   put(start.front(), end.front());
 }
