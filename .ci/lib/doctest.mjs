@@ -9,11 +9,12 @@ const kQuiet = ['--no-colors', '--no-version'];
 /** The suite of the tests that need the data folder: where there is none they are counted as skipped. */
 const kData = 'data';
 
-/** doctest's arguments for `{only: [...], but: [...]}`: the suites that run, and those that do not. */
-export function suiteFilter({ only = [], but = [] }) {
+/** doctest's arguments for `{only, but, butFiles}`: the suites that run, those that do not, and files that do not. */
+export function suiteFilter({ only = [], but = [], butFiles = [] }) {
   return [
     ...(only.length ? [`--test-suite=${only.join(',')}`] : []),
     ...(but.length ? [`--test-suite-exclude=${but.join(',')}`] : []),
+    ...(butFiles.length ? [`--source-file-exclude=${butFiles.join(',')}`] : []),
   ];
 }
 

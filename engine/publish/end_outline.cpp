@@ -105,13 +105,15 @@ std::vector<EndOutline> endOutlines(const std::vector<PicturePoint>& found, cons
   const std::vector<PicturePoint> wanted = curveRound(foundRibs, found);
   const std::vector<ribs::RibPoint> curve = frame.fromPicture(wanted);
   std::map<std::size_t, EndOutline> byNumbers;
-  const auto add = [&](std::size_t numbers, std::vector<ribs::RibPoint> points) {
-    const std::vector<PicturePoint> told = numbers == 0 ? std::vector{toldRibs.last.left, toldRibs.last.right}
-                                                        : curveRound(toldRibs, frame.toPicture(points));
+  const auto put = [&](std::size_t numbers, std::vector<ribs::RibPoint> points, const std::vector<PicturePoint>& told) {
     const double off = std::max(farthest(wanted, told), farthest(told, wanted));
     byNumbers.insert({numbers, {std::move(points), off}});
   };
-  add(0, behind);
+  const auto add = [&](std::size_t numbers, std::vector<ribs::RibPoint> points) {
+    const std::vector<PicturePoint> told = curveRound(toldRibs, frame.toPicture(points));
+    put(numbers, std::move(points), told);
+  };
+  put(0, behind, {toldRibs.last.left, toldRibs.last.right});
   for (std::size_t count = 1; count <= kMostOnRays; count += 2) {
     if (auto points = onRays(curve, count, frame.unit(), step)) add(count, *std::move(points));
     if (count < all.size()) add(2 * count, someOf(all, count));

@@ -8,7 +8,8 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { startSite } from '../../.ci/lib/browser.mjs';
 import { seeded } from '../support/random.mjs';
-import { idle, kEngines, kRounds, openPicture, run, toClient } from './support/page.mjs';
+import { idle, kEngines, openPicture, run, toClient } from './support/page.mjs';
+import { kRounds } from '../support/rounds.mjs';
 import { tubePicture } from './support/pictures.mjs';
 import { history, smallTube, startMortalBrowser } from './support/keeping.mjs';
 

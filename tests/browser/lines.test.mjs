@@ -3,10 +3,9 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { findControl, onCanvas, press, strokeAlong } from './support/hands.mjs';
-import { exported, idle, kPhone, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
+import { exported, idle, kDesk, kHands, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
-const kDesk = { viewport: { width: 1440, height: 900 }, hasTouch: true };
 
 const kBody = { x: 300, y: 190, a: 150, b: 90 };
 /** A closed line, picture pixels. */
@@ -70,57 +69,52 @@ async function paper(page, device) {
 
 const pairs = (bridges) => bridges.map(({ over, under }) => [over, under]);
 
-for (const [size, options] of [
-  ['1440×900', kDesk],
-  ['390×844', kPhone],
-]) {
-  for (const device of ['mouse', 'finger', 'pen']) {
-    test(`a body, two half hidden legs and a tail; a bridge swaps there only; undone to the start: ${device}, ${size}`, () =>
-      onPage(kit, options, async (page) => {
-        await paper(page, device);
-        const start = await model(page);
-        const { undo } = await state(page);
-        await drawCreature(page, device);
-        let now = await state(page);
-        assert.equal(now.parts.length, 4);
-        assert.equal(now.undo, undo + 6, 'each stroke is one step');
-        for (const part of now.parts) {
-          assert.equal(part.kind, 'element');
-          assert.equal(part.failure, null);
-          assert.ok(part.triangles > 500);
-        }
-        const [drawing] = now.drawings;
-        assert.equal(drawing.lines.length, 6);
-        assert.deepEqual(drawing.openEnds, []);
-        assert.deepEqual(
-          drawing.pieces.map(({ outlines }) => outlines[0].map(({ line }) => line).sort()),
-          [[1], [2, 3], [4, 5], [6]],
-        );
-        // Both legs are behind the body, as their lines say.
-        const legs = drawing.orders.filter(({ under }) => under === 2 || under === 3);
-        assert.deepEqual(
-          legs.map(({ over, from }) => [over, from]),
-          [
-            [1, 'drawn'],
-            [1, 'drawn'],
-          ],
-        );
-        assert.equal(now.bridges.length, 3);
-        const which = now.bridges.findIndex(({ under }) => under === 2);
-        const before = pairs(now.bridges);
-        await tapAt(page, device, now.bridges[which].at);
-        now = await state(page);
-        assert.deepEqual(
-          pairs(now.bridges),
-          before.map(([over, under], i) => (i === which ? [under, over] : [over, under])),
-        );
-        assert.equal(now.undo, undo + 7);
-        for (let i = 0; i < 7; i += 1) await run(page, 'undo');
-        await idle(page);
-        assert.equal((await state(page)).parts.length, 0);
-        assert.ok((await model(page)).equals(start), 'byte-equal');
-      }));
-  }
+for (const [device, size, options] of kHands) {
+  test(`a body, two half hidden legs and a tail; a bridge swaps there only; undone to the start: ${device}, ${size}`, () =>
+    onPage(kit, options, async (page) => {
+      await paper(page, device);
+      const start = await model(page);
+      const { undo } = await state(page);
+      await drawCreature(page, device);
+      let now = await state(page);
+      assert.equal(now.parts.length, 4);
+      assert.equal(now.undo, undo + 6, 'each stroke is one step');
+      for (const part of now.parts) {
+        assert.equal(part.kind, 'element');
+        assert.equal(part.failure, null);
+        assert.ok(part.triangles > 500);
+      }
+      const [drawing] = now.drawings;
+      assert.equal(drawing.lines.length, 6);
+      assert.deepEqual(drawing.openEnds, []);
+      assert.deepEqual(
+        drawing.pieces.map(({ outlines }) => outlines[0].map(({ line }) => line).sort()),
+        [[1], [2, 3], [4, 5], [6]],
+      );
+      // Both legs are behind the body, as their lines say.
+      const legs = drawing.orders.filter(({ under }) => under === 2 || under === 3);
+      assert.deepEqual(
+        legs.map(({ over, from }) => [over, from]),
+        [
+          [1, 'drawn'],
+          [1, 'drawn'],
+        ],
+      );
+      assert.equal(now.bridges.length, 3);
+      const which = now.bridges.findIndex(({ under }) => under === 2);
+      const before = pairs(now.bridges);
+      await tapAt(page, device, now.bridges[which].at);
+      now = await state(page);
+      assert.deepEqual(
+        pairs(now.bridges),
+        before.map(([over, under], i) => (i === which ? [under, over] : [over, under])),
+      );
+      assert.equal(now.undo, undo + 7);
+      for (let i = 0; i < 7; i += 1) await run(page, 'undo');
+      await idle(page);
+      assert.equal((await state(page)).parts.length, 0);
+      assert.ok((await model(page)).equals(start), 'byte-equal');
+    }));
 }
 
 test('a line that is not closed waits with a ring, which a tap closes; the barrel of a pen is the hidden pen', () =>

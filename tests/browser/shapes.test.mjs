@@ -4,10 +4,21 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { parseStl } from './support/model_files.mjs';
-import { exported, idle, kPhone, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
+import {
+  exported,
+  idle,
+  kDesk,
+  kHands,
+  kPhone,
+  onPage,
+  reload,
+  run,
+  state,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 
 const kit = useSite();
-const kDesk = { viewport: { width: 1440, height: 900 }, hasTouch: true };
 
 /** A closed line, picture pixels. */
 const ellipse = (x, y, a, b, count = 24) =>
@@ -51,74 +62,69 @@ async function twoSheets(page) {
   await idle(page);
 }
 
-for (const [size, options] of [
-  ['1440×900', kDesk],
-  ['390×844', kPhone],
-]) {
-  for (const device of ['mouse', 'finger', 'pen']) {
-    test(`a shape in three gestures, front and side in six: ${device}, ${size}`, () =>
-      onPage(kit, options, async (page) => {
-        await twoSheets(page);
-        let seen = 0;
-        const midway = async (shown) => {
-          seen = (await state(shown)).preview?.triangles ?? 0;
-        };
-        // What the page shows first is for the device that was used last.
-        const [corner] = await toClient(page, [[5, 5]]);
-        await strokeAlong(page, device, [corner]);
-        let gestures = 0;
-        const count = async (gesture) => {
-          await gesture;
-          gestures += 1;
-        };
-        const tap = (words) => count(press(page, words, { touch: device === 'finger' }));
-        const line = (points, which) => count(draw(page, device, points, which));
+for (const [device, size, options] of kHands) {
+  test(`a shape in three gestures, front and side in six: ${device}, ${size}`, () =>
+    onPage(kit, options, async (page) => {
+      await twoSheets(page);
+      let seen = 0;
+      const midway = async (shown) => {
+        seen = (await state(shown)).preview?.triangles ?? 0;
+      };
+      // What the page shows first is for the device that was used last.
+      const [corner] = await toClient(page, [[5, 5]]);
+      await strokeAlong(page, device, [corner]);
+      let gestures = 0;
+      const count = async (gesture) => {
+        await gesture;
+        gestures += 1;
+      };
+      const tap = (words) => count(press(page, words, { touch: device === 'finger' }));
+      const line = (points, which) => count(draw(page, device, points, which));
 
-        await tap('Shapes');
-        await line(
-          [
-            [300, 360],
-            [300, 300],
-            [300, 200],
-            [301, 90],
-          ],
-          { midway },
-        );
-        assert.ok(seen > 100, 'the solid follows the pen');
-        let made = await shape(page);
-        assert.equal(made.kind, 'ball');
-        assert.ok(Math.abs(made.axis[0][1] - 360) < 4 && Math.abs(made.axis[1][1] - 90) < 4, JSON.stringify(made.axis));
-        assert.ok(gestures <= 3);
+      await tap('Shapes');
+      await line(
+        [
+          [300, 360],
+          [300, 300],
+          [300, 200],
+          [301, 90],
+        ],
+        { midway },
+      );
+      assert.ok(seen > 100, 'the solid follows the pen');
+      let made = await shape(page);
+      assert.equal(made.kind, 'ball');
+      assert.ok(Math.abs(made.axis[0][1] - 360) < 4 && Math.abs(made.axis[1][1] - 90) < 4, JSON.stringify(made.axis));
+      assert.ok(gestures <= 3);
 
-        const { undo } = await state(page);
-        seen = 0;
-        await line(ellipse(300, 225, 90, 140), { midway });
-        assert.ok(seen > 100);
-        assert.equal((await state(page)).undo, undo + 1);
-        near(
-          extents((await state(page)).shapeOutline),
-          { left: 210, right: 390, top: 85, foot: 365 },
-          4,
-          'the front outline',
-        );
+      const { undo } = await state(page);
+      seen = 0;
+      await line(ellipse(300, 225, 90, 140), { midway });
+      assert.ok(seen > 100);
+      assert.equal((await state(page)).undo, undo + 1);
+      near(
+        extents((await state(page)).shapeOutline),
+        { left: 210, right: 390, top: 85, foot: 365 },
+        4,
+        'the front outline',
+      );
 
-        // The other picture is a side; it shows the thing half as high.
-        await tap((await state(page)).pictureList[1].name);
-        await tap('Looks left');
-        assert.equal((await state(page)).pictureList[1].view.from, 'right');
-        await line(ellipse(150, 150, 30, 70));
-        assert.ok(gestures <= 6, `${gestures} gestures`);
-        const now = await state(page);
-        near(extents(now.shapeOutline), { left: 120, right: 180, top: 80, foot: 220 }, 3, 'the side outline');
-        assert.ok(Math.abs(now.pictureList[1].view.scale - 2) < 0.06, `scale ${now.pictureList[1].view.scale}`);
-        made = await shape(page);
-        assert.deepEqual(
-          made.outlines.map(({ picture }) => picture),
-          [1, 2],
-        );
-        assert.equal(now.parts[0].failure, null);
-      }));
-  }
+      // The other picture is a side; it shows the thing half as high.
+      await tap((await state(page)).pictureList[1].name);
+      await tap('Looks left');
+      assert.equal((await state(page)).pictureList[1].view.from, 'right');
+      await line(ellipse(150, 150, 30, 70));
+      assert.ok(gestures <= 6, `${gestures} gestures`);
+      const now = await state(page);
+      near(extents(now.shapeOutline), { left: 120, right: 180, top: 80, foot: 220 }, 3, 'the side outline');
+      assert.ok(Math.abs(now.pictureList[1].view.scale - 2) < 0.06, `scale ${now.pictureList[1].view.scale}`);
+      made = await shape(page);
+      assert.deepEqual(
+        made.outlines.map(({ picture }) => picture),
+        [1, 2],
+      );
+      assert.equal(now.parts[0].failure, null);
+    }));
 }
 
 test('handles by pen: an end, the width, and the depth in the side picture', () =>

@@ -78,7 +78,7 @@ test('Share shows a link and a QR code; who opens the link gets the model as one
   }));
 
 test('with small copies of its photos a link is long, and shows them: in the viewer, and to who makes it hers', () =>
-  onPage(kit, { alone: true, draws: true }, async (page) => {
+  onPage(kit, { alone: true, draws: true, reducedMotion: 'reduce' }, async (page) => {
     const dialog = await openShare(page);
     const field = dialog.getByRole('textbox', { name: 'Link' });
     const code = dialog.getByRole('img', { name: 'QR code of the link' });
@@ -137,7 +137,7 @@ test('with small copies of its photos a link is long, and shows them: in the vie
   }));
 
 test('Send hands link and picture to the system where it takes them; what it refuses is saved, and closing it is no error', () =>
-  onPage(kit, { alone: true, draws: true }, async (page) => {
+  onPage(kit, { alone: true, draws: true, reducedMotion: 'reduce' }, async (page) => {
     // Headless browsers have no share sheet.
     await page.evaluate(() => {
       window.sent = [];
@@ -237,7 +237,7 @@ test('the QR code on the screen and every sticker on the printed sheet are read 
   }));
 
 test('the picture has the model inside: dropped on the page it opens with its photo; without the model it is a picture', () =>
-  onPage(kit, { alone: true, draws: true }, async (page) => {
+  onPage(kit, { alone: true, draws: true, reducedMotion: 'reduce' }, async (page) => {
     const dialog = await openShare(page);
     const before = await ends(page);
     const { name, bytes } = await downloaded(page, () => dialog.getByRole('button', { name: 'Picture' }).click());
@@ -266,7 +266,7 @@ test('the picture has the model inside: dropped on the page it opens with its ph
   }));
 
 test('the HTML for another page has the viewer with its poster; a long link offers picture and file instead of a code', (t) =>
-  onPage(kit, { alone: true, draws: true }, async (page) => {
+  onPage(kit, { alone: true, draws: true, reducedMotion: 'reduce' }, async (page) => {
     const dialog = await openShare(page);
     await dialog.getByText('On your own page').click();
     // The field is filled once the fold has opened.
@@ -297,11 +297,11 @@ test('the HTML for another page has the viewer with its poster; a long link offe
     assert.equal(await frame.locator('#name').innerText(), (await state(page)).documentName);
     await host.close();
     await page.keyboard.press('Escape');
-    // Hundreds of strokes on paper make a long one.
+    // Thousands of points on paper make a long one.
     await done(page, 'new-sketch');
     const { width } = (await state(page)).picture;
-    for (let i = 0; i < 120; ++i) {
-      const stroke = Array.from({ length: 60 }, (_, k) => [
+    for (let i = 0; i < 12; ++i) {
+      const stroke = Array.from({ length: 600 }, (_, k) => [
         100 + ((k * 7919 + i * 104729) % (width - 200)),
         100 + ((k * 6007 + i * 7001) % 400),
       ]);

@@ -7,7 +7,6 @@ import {
   done,
   exported,
   idle,
-  kRounds,
   onPage,
   openPicture,
   openWithPart,
@@ -18,6 +17,7 @@ import {
   toClient,
   useSite,
 } from './support/page.mjs';
+import { kRounds } from '../support/rounds.mjs';
 import { samples } from './support/pictures.mjs';
 
 const kit = useSite();

@@ -272,6 +272,7 @@ test('a poster is a picture in the address and nothing else, and a GLB is of the
 
 test('mouse, finger and keys turn and zoom the model; who wants less motion sees it stand still until space is pressed', async () => {
   const { url } = model;
+  const small = { width: 600, height: 400 };
   await visit(
     url,
     async (other) => {
@@ -279,7 +280,7 @@ test('mouse, finger and keys turn and zoom the model; who wants less motion sees
       const spin = other.locator('#spin');
       const canvas = other.locator('#canvas');
       assert.equal(await spin.getAttribute('aria-pressed'), 'false');
-      const middle = { x: kWindow.width / 2, y: kWindow.height / 2 };
+      const middle = { x: small.width / 2, y: small.height / 2 };
       const clip = { x: middle.x - 200, y: middle.y - 150, width: 400, height: 300 };
       const settled = async () => {
         await other.waitForTimeout(300);
@@ -313,7 +314,7 @@ test('mouse, finger and keys turn and zoom the model; who wants less motion sees
       assert.ok(inkOf(far) < inkOf(first) / 1.2, `${inkOf(far)}, ${inkOf(first)}`);
       await canvas.press(' ');
       await other.locator('#spin[aria-pressed=true]').waitFor();
-      await other.waitForTimeout(2000);
+      await other.waitForTimeout(700);
       differ(far, await settled(), 'turning');
       await canvas.press(' ');
       await other.locator('#spin[aria-pressed=false]').waitFor();
@@ -321,7 +322,7 @@ test('mouse, finger and keys turn and zoom the model; who wants less motion sees
       await other.waitForTimeout(1000);
       assert.equal(difference(still, await settled()), 0);
     },
-    { hasTouch: true, viewport: kWindow },
+    { hasTouch: true, viewport: small },
   );
 });
 
@@ -331,7 +332,7 @@ test('"In your room" loads <model-viewer> from the own site when the device can 
     await shown(other);
     assert.ok(await other.locator('#ar').isHidden());
   });
-  const opened = await openPage(kit.browser, 'about:blank', { viewport: kWindow, reducedMotion: 'reduce' });
+  const opened = await openPage(kit.browser, 'about:blank', { ...kQuick, reducedMotion: 'reduce' });
   try {
     const other = opened.page;
     await other.addInitScript(() => {

@@ -9,10 +9,10 @@ import { join } from 'node:path';
 import { afterEach, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { seeded } from '../support/random.mjs';
+import { kRounds } from '../support/rounds.mjs';
 import { id, kStoreKits } from './support/stores.mjs';
 import { rawAsk } from './support/server.mjs';
 
-const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
 const kKills = kRounds > 1 ? 200 : 25;
 const kPostgresKills = kRounds > 1 ? 50 : 10;
 /** Kills until a new file is begun. */

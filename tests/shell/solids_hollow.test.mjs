@@ -17,6 +17,7 @@ import {
   turned,
   unsoundByPlace,
 } from '../browser/support/solids.mjs';
+import { kRounds } from '../support/rounds.mjs';
 
 const { countOf } = shell;
 
@@ -187,7 +188,7 @@ function solidFrom({ positions, triangles, mergeFrom = [], mergeTo = [] }) {
 }
 
 test('what is stuck to hollow things is cut by their insides alone, and that is the whole without the insides, also edit by edit', () => {
-  for (let seed = 1; seed <= 8; seed += 1) {
+  for (let seed = 1; seed <= 4 * kRounds; seed += 1) {
     const random = seeded(31 * seed),
       { meshes, bodies, handle } = vessels(random),
       of = bodies.slice(0, 1 + (seed % 2)),

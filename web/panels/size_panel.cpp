@@ -161,12 +161,13 @@ void sizePanel(const PanelEnv& env, float width) {
 void drawScale(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const app::Rect& view = ui.layout.solid;
+  if (!ui.beside || view.width < 60 || view.height < 60) return;
   const std::optional<pipeline::WorldBounds> bounds = publish::worldBounds(env.document(), env.derived);
-  if (!bounds || view.width < 60 || view.height < 60) return;
+  if (!bounds) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
-  if (ui.beside) drawThing(env, list, *bounds);
+  drawThing(env, list, *bounds);
   list.PopClipRect();
 }
 

@@ -7,12 +7,14 @@ import { after, before } from 'node:test';
 import { chromium } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs';
+import { kRounds } from '../../support/rounds.mjs';
 
 /** Window of the tests: wide enough for the side panel. */
 export const kWindow = { width: 1100, height: 720 };
 /** One device pixel for four of the window: drawing is what costs. Tests that look at pixels are `kSharp`. */
 export const kQuick = { viewport: kWindow, deviceScaleFactor: 0.5 };
 export const kSharp = { deviceScaleFactor: 1, draws: true };
+export const kDesk = { viewport: { width: 1440, height: 900 }, hasTouch: true };
 export const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 export const kTablet = { viewport: { width: 1024, height: 768 }, hasTouch: true };
 
@@ -26,8 +28,19 @@ if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
 /** Whether pages draw that no test looks at: in `npm run test:all`, and where somebody will look at pictures of them. */
 const kAllDraw = Boolean(process.env.SPINELOFT_ALL_DRAW ?? process.env.SPINELOFT_PICTURES);
 
-/** How much longer random tests go on than in `npm test`. */
-export const kRounds = Number(process.env.SPINELOFT_ROUNDS ?? 1);
+/** Pointers, each in a window: each once in `npm test`, in windows of both sizes in `npm run test:all`. */
+export const kHands = [
+  ['mouse', '1440×900', kDesk],
+  ['finger', '390×844', kPhone],
+  ['pen', '1440×900', kDesk],
+  ...(kRounds > 1
+    ? [
+        ['mouse', '390×844', kPhone],
+        ['finger', '1440×900', kDesk],
+        ['pen', '390×844', kPhone],
+      ]
+    : []),
+];
 
 /**
  * In the page, before its own scripts: the engine's stages count as warmed up. Its twelve rounds take the processor for

@@ -47,7 +47,7 @@ TEST_CASE("orders that lines decide are those drawn, in discs that pass each oth
     }
   }
   CHECK(wrong == 0);
-  CHECK(right > 200);
+  CHECK(right > 100);
   CHECK(open * 8 < right);
 }
 

@@ -300,8 +300,8 @@ TEST_CASE("undo all and redo all give back every document of random sessions") {
     }
     REQUIRE(history.redo().error() == Error::NothingToRedo);
   }
-  CHECK(applied > 900);
-  CHECK(refused > 90);
+  CHECK(applied > 450);
+  CHECK(refused > 45);
 }
 
 TEST_CASE("a commit after an undo forgets the future, and an equal commit is no step") {

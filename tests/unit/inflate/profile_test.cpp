@@ -238,11 +238,13 @@ TEST_CASE("shells and handles follow from the curves of the slice and the holes 
 
 TEST_CASE("every shape with every slice is lawful, does not cross itself, and has good triangles") {
   double worst = 90;
+  std::uint64_t count = 0;
   for (const NamedShape& shape : namedShapes()) {
     std::vector<InflateParams> all = {paramsOf(kMushroom)};
     for (const ReadyProfile& ready : readyProfiles())
       all.push_back({.points = 3000, .profile = *readyProfile(ready.key)});
     for (const InflateParams& params : all) {
+      if (!testing::takes(++count)) continue;
       CAPTURE(shape.name);
       CAPTURE(std::string(profileKey(params.profile)));
       const Puffed made = whole(shape.contours, params);

@@ -84,10 +84,11 @@ bool holds(const CutContours& contours, PicturePoint p) {
 TEST_CASE("more marks never lose a marked pixel: what was marked stays as the last mark over it says") {
   const PicturePoint centre{130, 100};
   const image::Picture picture = discPicture(280, 200, centre, 60);
-  Rng rng(12);
-  for (int round = 0; round < testing::rounds(4); ++round) {
+  for (const std::uint64_t seed : testing::seeds(0, 4)) {
+    CAPTURE(seed);
+    Rng rng(seed);
     CutHints hints;
-    if (round % 2) {
+    if (seed / 2 % 2) {
       hints.inside = {centre};
     } else {
       hints.box = {{60, 30}, {200, 170}};

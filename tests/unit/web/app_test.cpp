@@ -478,7 +478,7 @@ TEST_CASE("two pictures: each part belongs to the one it was drawn on") {
 }
 
 TEST_CASE("whatever is clicked, dragged, typed and run, the page keeps its laws") {
-  for (const std::uint64_t round : testing::sharedSeeds(0, 6)) {
+  for (const std::uint64_t round : testing::seeds(0, 6)) {
     CAPTURE(round);
     Rng rng(2026 + round);
     const platform::CanvasSize sizes[] = {{1200, 700, 1}, {390, 760, 2}, {820, 600, 1.5}};

@@ -220,7 +220,7 @@ TEST_CASE("a part that moves up keeps its size in millimetres: the model grows")
 
 TEST_CASE(
     "a copy is in sight: to the right as it is seen, to the left where only there is room, else the view follows") {
-  for (double yaw = -3; yaw <= 3; yaw += 0.75) {
+  for (double yaw = -3; yaw <= 3; yaw += 1.5) {
     for (const double aside : {-1., 0., 1.}) {
       for (const bool near : {false, true}) {
         Placed page;

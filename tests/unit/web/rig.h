@@ -119,7 +119,7 @@ class Rig {
   /// Gives the page frames and wakes until it asks for no more. False when it does not rest within `most` turns of
   /// 16 ms of its own time, as while a solid waits for a solver; with workers within two minutes, because how many
   /// frames it draws until they are done is up to the machine.
-  bool settle(int most = 1500) {
+  bool settle(int most = 300) {
     const auto start = std::chrono::steady_clock::now();
     for (int turns = 0; threads_ > 0 || turns < most; ++turns) {
       host.clockMs += 16;

@@ -147,7 +147,7 @@ constexpr Call kCalls[] = {
 TEST_CASE("after every command of a random sequence the shell was told what the table and the state say") {
   const std::span<const app::Command> table = app::commandTable();
   REQUIRE(table.size() <= app::ShellView::kMostCommands);
-  for (const std::uint64_t seed : testing::sharedSeeds(1, 5)) {
+  for (const std::uint64_t seed : testing::seeds(1, 5)) {
     CAPTURE(seed);
     Rng rng(seed);
     Rig rig;
