@@ -345,8 +345,9 @@ TEST_CASE("what is no drawing is refused with a reason, and odd ones make lawful
   drawing.pins.clear();
   drawing.pieces[0].stiffness = 0;
   CHECK(modelOf(drawing).error() == Error::ValueOutOfRange);
-  std::size_t made = 0;
+  std::size_t made = 0, tried = 0;
   for (const std::uint64_t seed : seeds(0, 60)) {
+    ++tried;
     Rng rng(seed);
     Drawing odd;
     odd.size = {300, 300};
@@ -366,5 +367,5 @@ TEST_CASE("what is no drawing is refused with a reason, and odd ones make lawful
     for (const ModelPiece& one : model.value().solids) requireLawful(one.mesh);
     ++made;
   }
-  CHECK(made > 15);
+  CHECK(2 * made > tried);
 }

@@ -86,8 +86,9 @@ Qp lineOf(std::size_t unknowns) {
 
 TEST_CASE("the optimum of 1,000 random programs is that of another method, and nothing is broken") {
   double mostBroken = 0, mostOff = 0;
-  std::size_t binding = 0;
+  std::size_t binding = 0, programs = 0;
   for (const std::uint64_t seed : seeds(0, 1000)) {
+    ++programs;
     const Random program = randomProgram(seed);
     const auto solved = solveQp(program.qp, {1e-9});
     REQUIRE(solved.ok());
@@ -97,7 +98,7 @@ TEST_CASE("the optimum of 1,000 random programs is that of another method, and n
     mostBroken = std::max(mostBroken, wrongness(program, solved.value()));
     mostOff = std::max(mostOff, std::abs(value - other) / (1 + std::abs(value)));
   }
-  CHECK(binding > 1000);
+  CHECK(binding > 2 * programs);
   CHECK(mostBroken < 1e-7);
   CHECK(mostOff < 1e-6);
 }

@@ -248,7 +248,7 @@ TEST_CASE("random edits of bones leave lawful solids with the handles of their r
     crossing += mesh::selfCrossing(mesh.value()) ? 1 : 0;
     ++tried;
   }
-  CHECK(awake > 20);
+  CHECK(10 * awake > 11 * tried);
   // Where all bones of a long arm are gone, its rows are far apart.
   CHECK(10 * crossing <= tried);
 }

@@ -88,7 +88,7 @@ TEST_CASE("more marks never lose a marked pixel: what was marked stays as the la
     CAPTURE(seed);
     Rng rng(seed);
     CutHints hints;
-    if (seed / 2 % 2) {
+    if (seed / 2 % 2) {  // even and odd seeds have both
       hints.inside = {centre};
     } else {
       hints.box = {{60, 30}, {200, 170}};
