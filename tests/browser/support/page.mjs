@@ -28,19 +28,18 @@ if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
 /** Whether pages draw that no test looks at: in `npm run test:all`, and where somebody will look at pictures of them. */
 const kAllDraw = Boolean(process.env.SPINELOFT_ALL_DRAW ?? process.env.SPINELOFT_PICTURES);
 
-/** Pointers, each in a window: each once in `npm test`, in windows of both sizes in `npm run test:all`. */
+/**
+ * Pointers, each in a window: each once in `npm test`, in windows of both sizes in `npm run test:all`. A finger comes before a
+ * pen: where a pen was in use, a finger moves the picture.
+ */
 export const kHands = [
   ['mouse', '1440×900', kDesk],
-  ['finger', '390×844', kPhone],
+  ['finger', '1440×900', kDesk],
   ['pen', '1440×900', kDesk],
-  ...(kRounds > 1
-    ? [
-        ['mouse', '390×844', kPhone],
-        ['finger', '1440×900', kDesk],
-        ['pen', '390×844', kPhone],
-      ]
-    : []),
-];
+  ['mouse', '390×844', kPhone],
+  ['finger', '390×844', kPhone],
+  ['pen', '390×844', kPhone],
+].filter((_, i) => kRounds > 1 || [0, 2, 4].includes(i));
 
 /**
  * In the page, before its own scripts: the engine's stages count as warmed up. Its twelve rounds take the processor for
