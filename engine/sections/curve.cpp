@@ -53,52 +53,55 @@ std::vector<SectionPoint> flat(const Cubic& cubic) {
   return out;
 }
 
-/// Arc length along a closed polygon, for looking some way ahead and back.
-class Ring {
+/// Arc length along a chain, for looking some way ahead and back.
+class Way {
  public:
-  explicit Ring(const std::vector<SectionPoint>& points) : points_(points) {
-    points_.push_back(points.front());
+  explicit Way(const Chain& chain) : points_(chain.points), open_(chain.open) {
+    if (!open_) points_.push_back(points_.front());
     s_ = geometry::arcLengths(std::span<const SectionPoint>(points_));
   }
   double length() const { return s_.back(); }
   double at(std::size_t i) const { return s_[i]; }
   SectionPoint point(double s) const {
-    s = std::fmod(s + length(), length());
+    if (!open_) s = std::fmod(s + length(), length());
     return geometry::pointAt(std::span<const SectionPoint>(points_), std::span<const double>(s_), s);
   }
 
  private:
   std::vector<SectionPoint> points_;
   std::vector<double> s_;
+  bool open_ = false;
 };
 
 /// Places of the first copy where the chain turns sharply, with all their images.
 std::set<std::size_t> cornersOf(const Chain& chain, const FitParams& params) {
-  const Ring ring(chain.points);
-  const double window = std::min(params.cornerWindow, ring.length() / 24);
+  const Way way(chain);
+  const double window = std::min(params.cornerWindow, way.length() / 24);
   const std::size_t steps = chain.length + (chain.alternating ? 1 : 0), n = chain.points.size();
   std::vector<double> turn(n);
   for (std::size_t i = 0; i < n; ++i) {
+    if (chain.open && (way.at(i) < window || way.length() - way.at(i) < window)) continue;
     const SectionPoint p = chain.points[i];
-    const SectionPoint before = p - ring.point(ring.at(i) - window);
-    const SectionPoint after = ring.point(ring.at(i) + window) - p;
+    const SectionPoint before = p - way.point(way.at(i) - window);
+    const SectionPoint after = way.point(way.at(i) + window) - p;
     turn[i] = std::abs(std::atan2(cross(before, after), dot(before, after)));
   }
   std::set<std::size_t> corners;
+  if (chain.open) corners = {0, n - 1};
   for (std::size_t step = 0; step < steps; ++step) {
     const std::size_t i = step % n;
     if (turn[i] < params.cornerAngle) continue;
     const std::vector<std::size_t> images = chain.imagesOf(step);
     bool sharpest = true;
-    for (const int way : {-1, 1}) {
+    for (const int side : {-1, 1}) {
       double gone = 0;
       for (std::size_t j = i; gone < window && sharpest;) {
-        const std::size_t next = (j + (way > 0 ? 1 : n - 1)) % n;
+        const std::size_t next = (j + (side > 0 ? 1 : n - 1)) % n;
         gone += distance(chain.points[j], chain.points[next]);
         j = next;
         if (j == i) break;
         if (std::ranges::binary_search(images, j)) continue;
-        sharpest = way > 0 ? turn[i] >= turn[j] : turn[i] > turn[j];
+        sharpest = side > 0 ? turn[i] >= turn[j] : turn[i] > turn[j];
       }
     }
     if (sharpest) corners.insert(images.begin(), images.end());
@@ -165,8 +168,8 @@ DrawnCurve fitCurve(const Chain& drawn, const FitParams& params) {
     const DrawnCurve curve = curveThrough(chain, places, corners);
     const std::vector<std::size_t> order(places.begin(), places.end());
     std::vector<std::size_t> worst;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const std::vector<SectionPoint> stretch = stretchOf(curve, k);
+    for (std::size_t k = 0; k + (chain.open ? 1 : 0) < order.size(); ++k) {
+      const std::vector<SectionPoint> stretch = chain.open ? openStretchOf(curve, k) : stretchOf(curve, k);
       std::size_t end = order[(k + 1) % order.size()], at = 0;
       if (end <= order[k]) end += chain.points.size();
       double most = params.tolerance;

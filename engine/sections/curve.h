@@ -14,7 +14,8 @@ struct FitParams {
   int smoothing = 0;                 ///< passes of (1 2 1)/4 between corners
 };
 
-/// A curve near the chain that repeats itself as the chain does. ≥ 3 points in the chain.
+/// A curve near the chain that repeats itself as the chain does. ≥ 3 points in the chain. Of an open one both ends are
+/// corners, where openStretchOf leaves the curve straight.
 DrawnCurve fitCurve(const Chain& chain, const FitParams& params);
 
 }  // namespace spineloft::sections

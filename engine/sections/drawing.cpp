@@ -9,6 +9,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/sections/curve.h"
+#include "engine/sections/open_line.h"
 #include "engine/sections/symmetry.h"
 
 namespace spineloft::sections {
@@ -96,6 +97,13 @@ Result<Line> distinct(View line, double apart) {
     if (points.size() >= 3) return points;
   }
   return {Error::SectionInvalid, std::string(sentenceOf(DrawingFault::TooSmall))};
+}
+
+/// Sampled at kSpacing. ≥ 2 points.
+Line evenly(const Line& line) {
+  const double length = geometry::arcLengths(View(line)).back();
+  const auto samples = static_cast<std::size_t>(std::ceil(length / kSpacing)) + 1;
+  return geometry::resample(View(line), std::clamp<std::size_t>(samples, 8, kMostSamples));
 }
 
 /// The outlines of a drawing, and how they lie in each other.
@@ -205,10 +213,8 @@ std::vector<SectionPoint> images(SectionPoint p, const Symmetry& symmetry) {
 Result<Drawing> drawFreehand(std::span<const SectionPoint> stroke, const Symmetry& symmetry) {
   Result<Line> points = distinct(stroke, 1e-4);
   if (!points) return points.failure();
-  Line line = std::move(points).value();
+  Line line = evenly(points.value());
   const double length = geometry::arcLengths(View(line)).back();
-  const auto samples = static_cast<std::size_t>(std::ceil(length / kSpacing)) + 1;
-  line = geometry::resample(View(line), std::clamp<std::size_t>(samples, 8, kMostSamples));
   bool closed = cutTails(line);
   const double gap = distance(line.front(), line.back());
   closed = closed || symmetry.none() || gap < kClosedGap * length;
@@ -217,6 +223,13 @@ Result<Drawing> drawFreehand(std::span<const SectionPoint> stroke, const Symmetr
     return {Error::SectionInvalid, std::string(sentenceOf(DrawingFault::TooSmall))};
   }
   return curvesOf(repeat(line, closed, kSpacing, symmetry), kFreehand);
+}
+
+Result<DrawnCurve> drawOpenLine(std::span<const SectionPoint> stroke) {
+  Result<Line> points = distinct(stroke, 1e-4);
+  if (!points) return points.failure();
+  const Line line = evenly(points.value());
+  return fitCurve({line, line.size(), false, true}, kFreehand);
 }
 
 Result<Drawing> drawOutline(std::span<const SectionPoint> polygon, const Symmetry& symmetry) {

@@ -31,11 +31,12 @@ struct SymmetryGroup {
 SymmetryGroup groupOf(const Symmetry& symmetry);
 
 /// A closed polygon that consists of copies of one stretch of `length` steps: with `alternating`
-/// every second copy runs backwards (as in a mirror).
+/// every second copy runs backwards (as in a mirror). Or an `open` line: there is one copy.
 struct Chain {
   std::vector<SectionPoint> points;
   std::size_t length = 0;
   bool alternating = false;
+  bool open = false;  ///< it ends at its last point
   /// The places that are images of place `step` (0…length) of the first copy, without repeats.
   std::vector<std::size_t> imagesOf(std::size_t step) const;
 };

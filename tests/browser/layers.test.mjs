@@ -1,7 +1,7 @@
 // Parts drawn layer by layer, by real pointers. What else the tool does is said by tests/unit/web/layers_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { onCanvas, strokeAlong } from './support/hands.mjs';
+import { findControl, onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { exported, idle, kPhone, onPage, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -84,6 +84,36 @@ test('a hand on a phone takes twelve gestures', () =>
       [1, 1, 4],
     );
     assert.equal(now.parts[0].failure, null);
+  }));
+
+test('a wall by an open line, and a ring of bumps, are chosen in the panel', () =>
+  onPage(kit, {}, async (page) => {
+    await paper(page);
+    await draw(page, 'mouse', [
+      [-0.7, -0.3],
+      [-0.2, 0.2],
+      [0.3, 0.2],
+      [0.7, -0.3],
+    ]);
+    let now = await state(page);
+    assert.equal(now.parts.length, 1);
+    assert.equal(now.parts[0].failure, null);
+    assert.ok(await findControl(page, 'Wall', { kind: 'slider' }));
+    assert.equal(await findControl(page, 'Times', { kind: 'slider' }), null); // one layer
+    await run(page, 'undo');
+    await draw(page, 'mouse', circle(0, 0, 0.2));
+    await press(page, 'Ring');
+    await run(page, 'layer-sheet', { at: 0.5 });
+    await draw(page, 'mouse', circle(0, 0, 0.3));
+    assert.ok(await findControl(page, 'Times', { kind: 'slider' }));
+    await press(page, 'In steps');
+    await run(page, 'layer-repeat', { times: 3 });
+    await run(page, 'layer-bumps', { amount: 4, size: 30 });
+    await press(page, 'Other bumps');
+    now = await state(page);
+    assert.equal(now.parts[0].failure, null);
+    assert.equal(now.undo, 8); // the paper, two lines, and five settings
+    assert.ok((await exported(page, 'stl')).length > 50000);
   }));
 
 test('by keyboard alone: the tool, a circle, the sheet up, another circle', () =>

@@ -170,6 +170,8 @@ Outcome drawOnSheet(const CommandEnv& env, PartId part, double at, const std::ve
 Outcome seeSheet(const CommandEnv& env);
 /// The sheet that is seen to a place.
 Outcome moveSheet(const CommandEnv& env, double at);
+/// The part has this recipe now, of the same layers.
+Outcome remakeLayers(const CommandEnv& env, PartId part, const document::StackRecipe& recipe);
 /// The layer on the sheet that is seen to another place of the rail.
 Outcome moveLayer(const CommandEnv& env, double at);
 

@@ -9,6 +9,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/edit/layer_settings.h"
 #include "web/edit/layers.h"
 #include "web/model/messages.h"
 #include "web/words/words.h"
@@ -32,6 +33,14 @@ bool canCopy(Env env) {
   const auto sheet = sheetOf(env);
   return sheet && traceOf(*sheet) != nullptr;
 }
+const document::StackRecipe* layersOf(const document::Part* part) {
+  return part != nullptr ? document::stackOf(*part) : nullptr;
+}
+const document::Part* chosen(Env env) { return document::findPart(env.studio.document(), env.ui.selection); }
+bool hasLayers(Env env) { return layersOf(chosen(env)) != nullptr; }
+bool hasRail(Env env) { return hasLayers(env) && !layersOf(chosen(env))->rail.points.empty(); }
+bool canRepeat(Env env) { return hasLayers(env) && repeatsOf(*layersOf(chosen(env))); }
+bool hasWalls(Env env) { return hasLayers(env) && wallOf(*layersOf(chosen(env))); }
 bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
 
 /// All of the bounds, within what no bar covers of the view.
@@ -89,15 +98,25 @@ Status checkMade(Env env, const document::StackRecipe& recipe) {
   return made ? Status(Done{}) : Status(made.failure());
 }
 
+/// What makes `to` of the part. Patterns are of planes by number: they wait until those are there.
+std::vector<document::Action> actionsTo(const document::Part& part, const document::StackRecipe& to) {
+  const document::StackRecipe& from = *document::stackOf(part);
+  std::vector<document::Action> actions;
+  stack::StackParams single = to.stack;
+  single.patterns.clear();
+  if (from.stack != single) actions.push_back(document::ShapeStack{part.id, single});
+  if (from.rail != to.rail) actions.push_back(document::SetRail{part.id, to.rail});
+  if (from.planes != to.planes) actions.push_back(document::SetPlanes{part.id, to.planes});
+  if (single != to.stack) actions.push_back(document::ShapeStack{part.id, to.stack});
+  return actions;
+}
+
 /// The part has this recipe now; without a part a new one. The sheet lies on the layer at `at`.
 Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double at) {
   if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
   if (part) {
-    const std::array<document::Action, 2> actions{document::SetRail{part, recipe.rail},
-                                                  document::SetPlanes{part, recipe.planes}};
-    const bool sameRail = document::stackOf(*document::findPart(env.studio.document(), part))->rail == recipe.rail;
-    const Status status = env.studio.act(std::span(actions).subspan(sameRail ? 1 : 0));
-    if (!status) return refuse(status.failure());
+    const auto actions = actionsTo(*document::findPart(env.studio.document(), part), recipe);
+    if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
     env.ui.selection = part;
   } else {
     const document::DrawStack draw{recipe.picture, recipe.planes, recipe.rail, recipe.stack, layerLook(env.ui)};
@@ -180,7 +199,75 @@ Outcome drawRow(Env env, const Json& args) {
   return missing("a line: a list of [x, y] on the sheet, in picture pixels (or through: points of a curve)");
 }
 
+/// Of the part that is meant.
+template <class Change>
+Outcome setLayers(Env env, const Json& args, const Change& change) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  const document::StackRecipe* layers = layersOf(part);
+  if (layers == nullptr) return refuse({Error::NotAStack, {}});
+  const Result<document::StackRecipe> changed = change(*layers);
+  return changed ? remakeLayers(env, part->id, changed.value()) : refuse(changed.failure());
+}
+using Changed = Result<document::StackRecipe>;
+
+Outcome railRow(Env env, const Json& args) {
+  const std::string* key = args.text("rail");
+  if (key == nullptr) return missing("a rail: \"up\", \"across\", \"ring\" or \"spring\"");
+  const auto name = std::ranges::find(kRailShapes, *key, &RailShapeName::key);
+  if (name == kRailShapes.end()) return refuse({Error::ValueOutOfRange, *key});
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    if (layers.rail.points.empty()) return {Error::StackInvalid, "its layers stand on no rail: place each by itself"};
+    return withRail(layers, name->shape);
+  });
+}
+
+Outcome repeatRow(Env env, const Json& args) {
+  const double times = args.number("times").value_or(0);
+  if (!(times >= 1 && times <= stack::kMostTimes && times == std::floor(times))) {
+    return missing("how often: a whole number from 1 on (times)");
+  }
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    if (!repeatsOf(layers))
+      return {Error::StackInvalid, "two layers or more on a rail can be repeated: draw another one"};
+    return withRepeats(layers, static_cast<std::uint32_t>(times));
+  });
+}
+
+Outcome blendRow(Env env, const Json& args) {
+  const std::string* key = args.text("blend");
+  if (key == nullptr) return missing("a blend: \"flow\", \"linear\" or \"hold\"");
+  const auto kind = sections::blendFromKey(*key);
+  if (!kind || *kind == sections::BlendKind::Custom) return refuse({Error::ValueOutOfRange, *key});
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed { return withBlend(layers, *kind); });
+}
+
+Outcome bumpsRow(Env env, const Json& args) {
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    stack::Rough rough = layers.stack.rough;
+    rough.amount = args.number("amount").value_or(rough.amount);
+    rough.size = args.number("size").value_or(rough.size);
+    rough.keepDrawn = args.flag("keepDrawn").value_or(rough.keepDrawn);
+    const double seed = args.number("seed").value_or(rough.seed);
+    if (!(seed >= 0 && seed <= 0xffffffff)) return {Error::ValueOutOfRange, "seed"};
+    rough.seed = static_cast<std::uint32_t>(seed);
+    return withBumps(layers, rough);
+  });
+}
+
+Outcome wallRow(Env env, const Json& args) {
+  const double width = args.number("width").value_or(0);
+  if (!(width > 0)) return missing("a width in picture pixels, above 0");
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    if (!wallOf(layers)) return {Error::StackInvalid, "it has no wall: draw a line that stays open"};
+    return withWalls(layers, width);
+  });
+}
+
 constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"};
+constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"};
+constexpr Condition kHasLayers{hasLayers, Condition::Part}, kHasRail{hasRail, Condition::Part},
+    kCanRepeat{canRepeat, Condition::Part}, kHasWalls{hasWalls, Condition::Part};
 constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy};
 
 // clang-format off
@@ -208,6 +295,17 @@ constexpr std::array kTable = {
             .hint = "Where the sheet stands, a share of the rail", .enabled = kHasSheet, .run = sheetRow},
     Command{.id = "layer-move", .label = "Move layer by numbers", .icon = "move", .group = "part", .argument = kTo,
             .hint = "Another place for the layer on the sheet", .enabled = kOnLayer, .run = moveRow},
+    Command{.id = "layer-rail", .label = "Line of the layers", .icon = "spline", .group = "part", .argument = kRail,
+            .hint = "Layers stand up, side by side, round a ring or along a spring", .enabled = kHasRail,
+            .run = railRow},
+    Command{.id = "layer-repeat", .label = "Repeat layers", .icon = "copy", .group = "part", .argument = kTimes,
+            .hint = "All layers once more, and once more", .enabled = kCanRepeat, .run = repeatRow},
+    Command{.id = "layer-blend", .label = "From layer to layer", .icon = "spline", .group = "part", .argument = kBlend,
+            .hint = "Layers become each other smoothly, straight or in steps", .enabled = kHasLayers, .run = blendRow},
+    Command{.id = "layer-bumps", .label = "Bumps", .icon = "waypoints", .group = "part", .argument = kAmount,
+            .hint = "An uneven surface, as of rock or bark", .enabled = kHasLayers, .run = bumpsRow},
+    Command{.id = "layer-wall", .label = "Width of walls", .icon = "ruler", .group = "part", .argument = kWidth,
+            .hint = "How wide open lines are", .enabled = kHasWalls, .run = wallRow},
     Command{.id = "draw-layer", .label = "Layer by numbers", .icon = "layers", .group = "part", .argument = kLine,
             .hint = "A closed line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
 };
@@ -228,6 +326,19 @@ Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPo
   auto curves = curvesOf(*sheet, line);
   if (!curves) return refuse(curves.failure());
   return drawLayer(env, {part, at, std::move(curves).value()});
+}
+
+Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::StackRecipe* before = layersOf(part);
+  if (before == nullptr) return refuse({Error::NotAStack, {}});
+  const auto placed =
+      sheetFor(env.studio.document(), id, {}, env.ui.layers.part == id ? env.ui.layers.at : std::nullopt);
+  const std::optional<std::size_t> layer = placed ? placed->layer : std::nullopt;
+  const double at = layer && recipe.planes.size() == before->planes.size() ? recipe.planes[*layer].at
+                    : placed                                               ? placed->at
+                                                                           : 0;
+  return keep(env, id, recipe, at);
 }
 
 Outcome seeSheet(Env env) {

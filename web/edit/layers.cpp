@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 #include "engine/sections/drawing.h"
+#include "engine/sections/open_line.h"
+#include "web/edit/layer_settings.h"
 #include "web/edit/placing.h"
 
 namespace spineloft::app {
@@ -20,6 +23,8 @@ constexpr double kMargin = 1.2;                      // of the sheet about its c
 constexpr double kKnob = 1.12;                       // of the half side, from the middle
 constexpr double kSame = 0.006;                      // of the rail: a sheet so near to a layer lies on it
 constexpr double kApart = 0.01;                      // of the rail: no layer is moved nearer to another
+constexpr double kOpenGap = 0.5;                     // of a line's length between its ends: it is not meant to close
+constexpr double kNewWall = 0.12;                    // width of a wall, of the sheet's half side
 
 /// Upright in the middle of the picture.
 stack::Rail railOn(image::Size picture) {
@@ -66,6 +71,38 @@ bool stand(Sheet& sheet) {
   return true;
 }
 
+/// The pattern that repeats the last layer, or null: nothing stands beyond its first run.
+const stack::Pattern* lastPattern(const StackRecipe& recipe) {
+  const auto& patterns = recipe.stack.patterns;
+  const auto last = std::ranges::find(patterns, recipe.planes.size() - 1, &stack::Pattern::last);
+  return last == patterns.end() || recipe.planes.empty() ? nullptr : &*last;
+}
+
+/// A layer was put in as number `i`: runs that it stands within, or at whose ends copies leave room for it, have it
+/// too.
+void countIn(StackRecipe& recipe, std::size_t i) {
+  const std::vector<stack::Plane>& planes = recipe.planes;
+  const auto number = static_cast<std::uint32_t>(i);
+  for (auto& [first, last, times, spacing] : recipe.stack.patterns) {
+    const bool after = number == last + 1;
+    if (number <= last) ++last;
+    if (number < first || (number == first && planes[last].at - planes[i].at >= spacing)) ++first;
+    if (after && planes[i].at - planes[first].at < spacing) last = number;
+  }
+}
+
+/// Layer number `i` was taken out.
+void countOut(StackRecipe& recipe, std::size_t i) {
+  auto& patterns = recipe.stack.patterns;
+  std::erase_if(patterns, [&](const stack::Pattern& pattern) { return pattern.first == i && pattern.last == i; });
+  for (stack::Pattern& pattern : patterns) {
+    if (i < pattern.first) --pattern.first;
+    if (i <= pattern.last) --pattern.last;
+  }
+}
+
+double lengthOf(const Points& line) { return geometry::arcLengths(std::span<const SectionPoint>(line)).back(); }
+
 SectionPoint middleOf(const Points& outline) { return geometry::centroid(std::span<const SectionPoint>(outline)); }
 
 /// Middle and mean radius of the largest curve of the trace.
@@ -91,6 +128,9 @@ Round roundOn(const Sheet& sheet) {
 
 double mostAt(const Sheet& sheet) {
   if (!sheet.onRail()) return sheet.recipe.planes.empty() ? 0 : static_cast<double>(sheet.recipe.planes.size() - 1);
+  if (const stack::Pattern* run = lastPattern(sheet.recipe)) {
+    return 1 - (run->times - 1) * run->spacing;
+  }
   return isStraight(sheet.recipe.rail) ? kMostGrowth : 1;
 }
 
@@ -164,14 +204,28 @@ ModelPoint knobOf(const Sheet& sheet) { return sheet.stand.at({kKnob * sheet.hal
 Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line) {
   Points small;
   for (const SectionPoint p : line) small.push_back(p / sheet.half);
-  const Result<sections::Drawing> drawing = sections::drawFreehand(small, {});
-  if (!drawing) return drawing.failure();
+  const bool open = !small.empty() && distance(small.front(), small.back()) > kOpenGap * lengthOf(small);
+  sections::Drawing drawing;
+  if (open) {
+    auto drawn = sections::drawOpenLine(small);
+    if (!drawn) return drawn.failure();
+    drawing.push_back(std::move(drawn).value());
+  } else {
+    auto drawn = sections::drawFreehand(small, {});
+    if (!drawn) return drawn.failure();
+    drawing = std::move(drawn).value();
+  }
   std::vector<stack::Curve> curves;
-  for (const sections::DrawnCurve& drawn : drawing.value()) {
+  for (const sections::DrawnCurve& drawn : drawing) {
     stack::Curve curve;
     for (const sections::DrawnPoint& point : drawn.points) {
       if (point.corner) curve.corners.at.push_back(static_cast<std::uint32_t>(curve.through.size()));
       curve.through.push_back(point.at * sheet.half);
+    }
+    if (open) {
+      curve.open = true;
+      curve.as = stack::CurveUse::Ribbon;
+      curve.width = wallOf(sheet.recipe).value_or(kNewWall * sheet.half);
     }
     curves.push_back(std::move(curve));
   }
@@ -219,6 +273,7 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
     const auto place = std::ranges::upper_bound(recipe.planes, at, {}, &stack::Plane::at);
     own = static_cast<std::size_t>(place - recipe.planes.begin());
     recipe.planes.insert(place, plane);
+    countIn(recipe, own);
   }
   std::vector<Points> outlines;
   for (const stack::Curve& curve : curves) outlines.push_back(stack::outlineOf(curve));
@@ -235,7 +290,9 @@ StackRecipe withMovedLayer(const Sheet& sheet, double to) {
   StackRecipe recipe = sheet.recipe;
   if (!sheet.layer || !sheet.onRail()) return recipe;
   const std::size_t i = *sheet.layer, last = recipe.planes.size() - 1;
-  const double low = i > 0 ? recipe.planes[i - 1].at + kApart : 0;
+  const stack::Pattern* run = lastPattern(recipe);
+  const double least = run && run->first == i ? recipe.planes[run->last].at - run->spacing + kApart : 0;
+  const double low = std::max(i > 0 ? recipe.planes[i - 1].at + kApart : 0, least);
   const double high = i < last ? recipe.planes[i + 1].at - kApart : mostAt(sheet);
   if (low > high) return recipe;
   const double at = std::clamp(to, low, high);
@@ -255,7 +312,9 @@ document::Look layerLook(const UiState& ui) {
 
 StackRecipe withoutLayer(const Sheet& sheet) {
   StackRecipe recipe = sheet.recipe;
-  if (sheet.layer) recipe.planes.erase(recipe.planes.begin() + static_cast<std::ptrdiff_t>(*sheet.layer));
+  if (!sheet.layer) return recipe;
+  recipe.planes.erase(recipe.planes.begin() + static_cast<std::ptrdiff_t>(*sheet.layer));
+  countOut(recipe, *sheet.layer);
   return recipe;
 }
 

@@ -31,7 +31,8 @@ std::optional<Sheet> sheetFor(const document::Document& document, PartId part, P
                               std::optional<double> at);
 /// The one that is seen: none without the tool, or for a part that is hidden.
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
-/// The farthest place: straight rails of new layers grow with the sheet to kMostGrowth times their length.
+/// The farthest place: straight rails of new layers grow with the sheet to kMostGrowth times their length; where layers
+/// are repeated, the end of their first run.
 double mostAt(const Sheet& sheet);
 inline constexpr double kMostGrowth = 2;
 
@@ -49,7 +50,8 @@ std::vector<ModelPoint> cornersOf(const Sheet& sheet);
 /// The knob beside its edge that takes it along the rail.
 ModelPoint knobOf(const Sheet& sheet);
 
-/// A freehand line on the sheet as curves. Errors: those of sections::drawFreehand.
+/// A freehand line on the sheet as curves: closed, or, where its ends are farther apart than half its length, the
+/// middle of a wall as wide as the part's others. Errors: those of sections::drawFreehand and drawOpenLine.
 Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line);
 /// A circle or square as large and where the curves of the nearest layer are, else in the middle.
 stack::Curve circleOn(const Sheet& sheet);
@@ -59,7 +61,8 @@ stack::Curve squareOn(const Sheet& sheet);
 const stack::Plane* traceOf(const Sheet& sheet);
 
 /// The recipe with these curves on the sheet. Curves that they cross give way; others stay: a curve in another is a
-/// hole, one beside it a branch. A sheet beyond the end of a straight rail makes that longer.
+/// hole, one beside it a branch. A sheet beyond the end of a straight rail makes that longer. A new layer among
+/// repeated ones is repeated with them.
 document::StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves);
 /// The layer on the sheet elsewhere on the rail: between its neighbours, or, the last one, farther out. Nothing without
 /// one.

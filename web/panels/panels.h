@@ -70,6 +70,7 @@ void drawSectionBoard(const PanelEnv& env);    ///< the board on which a section
 
 void partList(const PanelEnv& env, bool tiles);  ///< with `tiles`, what can be made of the parts is below them
 void sectionChooser(const PanelEnv& env, float width);
+void layersPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a part made of layers
 void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
 void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine
 void alongPanel(const PanelEnv& env, float width);     ///< twist, depth, lean, front along the spine

@@ -159,6 +159,7 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
       wordButton(env, {"plain-outline", width, buttonSide(env), kAccent});
     }
   }
+  if (document::stackOf(part)) layersPanel(env, part, width);
   if (const document::ElementRecipe* piece = document::elementOf(part)) {
     WordButtons buttons(env, width);
     using descriptive::PieceKind;

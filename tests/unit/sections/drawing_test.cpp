@@ -9,7 +9,9 @@
 #include <numbers>
 
 #include "engine/base/rng.h"
+#include "engine/geometry/line_distance.h"
 #include "engine/geometry/polygon.h"
+#include "engine/sections/open_line.h"
 
 using namespace spineloft;
 using namespace spineloft::sections;
@@ -380,4 +382,45 @@ TEST_CASE("every image of a point is an image of every other") {
     const Line first = images({0.31, 0.72}, symmetry);
     for (const SectionPoint p : first) CHECK(sameSets(images(p, symmetry), first, 1e-9));
   }
+}
+
+TEST_CASE("an open line begins and ends where it was drawn, stays near it, and has few points") {
+  Rng rng(17);
+  for (int round = 0; round < 20; ++round) {
+    const double from = rng.uniform(0, 2 * kPi);
+    const Line line = blob(rng, from, from + rng.uniform(0.5, 3));
+    const Result<DrawnCurve> curve = drawOpenLine(line);
+    REQUIRE(curve.ok());
+    const auto& points = curve.value().points;
+    CHECK(points.size() <= 12);
+    CHECK(points.front().corner);
+    CHECK(points.back().corner);
+    CHECK(distance(points.front().at, line.front()) < 1e-12);
+    CHECK(distance(points.back().at, line.back()) < 1e-12);
+    Line drawn;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Line stretch = openStretchOf(curve.value(), i);
+      drawn.insert(drawn.end(), stretch.begin(), stretch.end());
+    }
+    for (const SectionPoint p : line) CHECK(geometry::distanceToLine(p, View(drawn)) < 2 * kFitTolerance);
+  }
+}
+
+TEST_CASE("an open line keeps its corners, loses its tremor, and two points make none") {
+  Rng rng(18);
+  Line zigzag;
+  const Line corners{{-0.8, 0}, {-0.3, 0.5}, {0.2, -0.3}, {0.8, 0.2}};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    for (int k = 0; k < 60; ++k) zigzag.push_back(lerp(corners[i], corners[i + 1], k / 60.0));
+  }
+  zigzag.push_back(corners.back());
+  const Result<DrawnCurve> curve = drawOpenLine(shaky(zigzag, rng, 0.003));
+  REQUIRE(curve.ok());
+  Line kept;
+  for (const DrawnPoint& point : curve.value().points) {
+    if (point.corner) kept.push_back(point.at);
+  }
+  CHECK(sameSets(kept, corners, 0.03));
+  CHECK_FALSE(drawOpenLine(Line{{0, 0}, {0.5, 0}}).ok());
+  CHECK_FALSE(drawOpenLine(Line{{0, 0}, {0.5, std::nan("")}, {1, 1}}).ok());
 }

@@ -265,3 +265,141 @@ TEST_CASE("without the tool there is no sheet; a gesture that is cancelled leave
   CHECK(rig.sheet().isNull());
   CHECK_FALSE(works(rig, "layer-circle"));
 }
+
+TEST_CASE("a line whose ends stay apart is a wall along it, as wide as the others; nearly closed ones still close") {
+  Paper rig;
+  REQUIRE(works(rig, "draw-layer", R"({"line": [[-60, -20], [-30, -5], [0, 0], [30, -5], [60, -20]]})"));
+  document::StackRecipe recipe = layersOf(rig);
+  const stack::Curve wall = recipe.planes.at(0).curves.at(0);
+  CHECK(wall.open);
+  CHECK(wall.as == stack::CurveUse::Ribbon);
+  CHECK(distance(wall.through.front(), SectionPoint{-60, -20}) < 0.1);
+  CHECK(distance(wall.through.back(), SectionPoint{60, -20}) < 0.1);
+  const auto made = pipeline::stackStage(recipe, {400, 300});
+  REQUIRE(made.ok());
+  CHECK(mesh::inspect(made.value().mesh).valid());
+  REQUIRE(works(rig, "layer-wall", R"({"width": 9})"));
+  CHECK(layersOf(rig).planes[0].curves[0].width == doctest::Approx(9));
+  REQUIRE(works(rig, "draw-layer", R"({"line": [[-60, 40], [0, 40], [60, 41]]})"));
+  REQUIRE(layersOf(rig).planes[0].curves.size() == 2);
+  CHECK(layersOf(rig).planes[0].curves[1].width == doctest::Approx(9));
+  // Three quarters of a circle.
+  std::string arc = "[60, 0]";
+  for (int i = 1; i <= 30; ++i) {
+    const double angle = 1.5 * std::numbers::pi * i / 30;
+    arc += ", [" + std::to_string(60 * std::cos(angle)) + ", " + std::to_string(60 * std::sin(angle)) + "]";
+  }
+  REQUIRE(works(rig, "draw-layer", R"({"at": 0.5, "line": [)" + arc + "]}"));
+  CHECK_FALSE(layersOf(rig).planes.at(1).curves.at(0).open);
+}
+
+namespace {
+
+/// Where every layer stands with its repeats, picture pixels along the rail.
+std::vector<double> placesOf(const document::StackRecipe& recipe) {
+  const double length = stack::lengthOf(recipe.rail);
+  std::vector<double> places;
+  const auto& patterns = recipe.stack.patterns;
+  for (std::uint32_t copy = 0; copy < (patterns.empty() ? 1 : patterns[0].times); ++copy) {
+    for (const stack::Plane& plane : recipe.planes) {
+      places.push_back(length * (plane.at + (copy > 0 ? copy * patterns[0].spacing : 0)));
+    }
+  }
+  return places;
+}
+
+Paper& withThreeLayers(Paper& rig) {
+  for (const char* at : {"0", "0.3", "1"}) {
+    REQUIRE(works(rig, "layer-sheet", std::string(R"({"at": )") + at + "}"));
+    REQUIRE(works(rig, at[0] == '0' && at[1] ? "layer-square" : "layer-circle"));
+  }
+  return rig;
+}
+
+}  // namespace
+
+TEST_CASE("repeated layers stay where they are on a straight line, which grows by one run after the other") {
+  Paper rig;
+  withThreeLayers(rig);
+  const document::StackRecipe once = layersOf(rig);
+  const std::vector<double> before = placesOf(once);
+  REQUIRE(works(rig, "layer-repeat", R"({"times": 4})"));
+  const document::StackRecipe repeated = layersOf(rig);
+  REQUIRE(repeated.planes.size() == 3);
+  const std::vector<double> places = placesOf(repeated);
+  REQUIRE(places.size() == 12);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(places[i] == doctest::Approx(before[i]).epsilon(1e-3));
+  const double period = places[3] - places[0];
+  CHECK(period == doctest::Approx(1.5 * (before[2] - before[0])).epsilon(1e-3));
+  CHECK(places.back() == doctest::Approx(stack::lengthOf(repeated.rail)).epsilon(1e-3));
+  const auto made = pipeline::stackStage(repeated, {400, 300});
+  REQUIRE(made.ok());
+  CHECK(mesh::inspect(made.value().mesh).valid());
+  REQUIRE(works(rig, "layer-repeat", R"({"times": 1})"));
+  const std::vector<double> again = placesOf(layersOf(rig));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(again.at(i) == doctest::Approx(before[i]).epsilon(1e-3));
+  CHECK_FALSE(works(rig, "layer-repeat", R"({"times": 0})"));
+  CHECK_FALSE(works(rig, "layer-repeat", R"({"times": 2.5})"));
+}
+
+TEST_CASE("among repeated layers a new one is repeated with them, and one that goes, goes everywhere") {
+  Paper rig;
+  withThreeLayers(rig);
+  REQUIRE(works(rig, "layer-repeat", R"({"times": 3})"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 9})"));
+  CHECK(rig.sheetAt() == doctest::Approx(layersOf(rig).planes.back().at).epsilon(1e-3));  // the end of the first run
+  const double between = (layersOf(rig).planes[1].at + layersOf(rig).planes[2].at) / 2;
+  REQUIRE(works(rig, "layer-sheet", R"({"at": )" + std::to_string(between) + "}"));
+  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(layersOf(rig).planes.size() == 4);
+  CHECK(layersOf(rig).stack.patterns.at(0).last == 3);
+  CHECK(placesOf(layersOf(rig)).size() == 12);
+  REQUIRE(works(rig, "layer-remove"));
+  CHECK(layersOf(rig).stack.patterns.at(0).last == 2);
+  CHECK(placesOf(layersOf(rig)).size() == 9);
+  REQUIRE(works(rig, "undo"));
+  REQUIRE(works(rig, "undo"));
+  CHECK(placesOf(layersOf(rig)).size() == 9);
+}
+
+TEST_CASE("a ring has its layers evenly all round, a spring along it, and both come back to a straight line") {
+  Paper rig;
+  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(works(rig, "layer-rail", R"({"rail": "ring"})"));
+  const auto torus = pipeline::stackStage(layersOf(rig), {400, 300});
+  REQUIRE(torus.ok());
+  CHECK(mesh::inspect(torus.value().mesh).genus == 1);
+  REQUIRE(works(rig, "undo"));
+  REQUIRE(works(rig, "layer-remove"));
+  withThreeLayers(rig);
+  for (const char* shape : {"ring", "spring", "across", "up"}) {
+    REQUIRE(works(rig, "layer-rail", std::string(R"({"rail": ")") + shape + "\"}"));
+    REQUIRE(works(rig, "layer-repeat", R"({"times": 2})"));
+    const document::StackRecipe recipe = layersOf(rig);
+    CHECK(recipe.rail.closed == (shape == std::string("ring")));
+    const std::vector<double> places = placesOf(recipe);
+    const double length = stack::lengthOf(recipe.rail);
+    CHECK(places[3] - places[0] == doctest::Approx(recipe.rail.closed ? length / 2 : length * 0.6).epsilon(1e-3));
+    const auto made = pipeline::stackStage(recipe, {400, 300});
+    REQUIRE(made.ok());
+    CHECK(mesh::inspect(made.value().mesh).valid());
+    REQUIRE(works(rig, "layer-repeat", R"({"times": 1})"));
+  }
+  CHECK_FALSE(works(rig, "layer-rail", R"({"rail": "knot"})"));
+}
+
+TEST_CASE("blend and bumps are set for all layers, in one step each, and what is out of range is refused") {
+  Paper rig;
+  withThreeLayers(rig);
+  const double steps = *rig.state().number("undo");
+  REQUIRE(works(rig, "layer-blend", R"({"blend": "hold"})"));
+  for (const stack::Plane& plane : layersOf(rig).planes) CHECK(plane.blend.kind == sections::BlendKind::Hold);
+  REQUIRE(works(rig, "layer-bumps", R"({"amount": 3, "size": 20, "seed": 5})"));
+  CHECK(layersOf(rig).stack.rough == stack::Rough{3, 20, 5, false});
+  CHECK(*rig.state().number("undo") == steps + 2);
+  const std::string before = rig.app->history();
+  CHECK_FALSE(works(rig, "layer-blend", R"({"blend": "custom"})"));
+  CHECK_FALSE(works(rig, "layer-bumps", R"({"amount": 5000})"));
+  CHECK_FALSE(works(rig, "layer-wall", R"({"width": 4})"));
+  CHECK(rig.app->history() == before);
+}

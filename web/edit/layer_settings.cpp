@@ -1,0 +1,149 @@
+#include "web/edit/layer_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/stack/run.h"
+
+namespace spineloft::app {
+namespace {
+
+using document::StackRecipe;
+
+constexpr int kRingPoints = 12, kSpringRounds = 3;
+constexpr double kLeastBend = 1.6, kPitch = 2.6;  // radius of a bend and way from round to round, times the farthest
+                                                  // that a curve is from the rail
+
+struct Box {
+  ModelPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  ModelPoint middle() const { return (low + high) / 2; }
+  double side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+Box boxOf(const stack::Rail& rail) {
+  Box box;
+  for (const ModelPoint p : rail.points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+  }
+  return box;
+}
+
+/// The farthest that a curve is from its plane's origin.
+double reachOf(const StackRecipe& recipe) {
+  double reach = 1;
+  for (const stack::Plane& plane : recipe.planes) {
+    for (const stack::Curve& curve : plane.curves) {
+      for (const SectionPoint p : curve.through) reach = std::max(reach, norm(p));
+    }
+  }
+  return reach;
+}
+
+template <class Change>
+void eachWall(StackRecipe& recipe, const Change& change) {
+  for (stack::Plane& plane : recipe.planes) {
+    for (stack::Curve& curve : plane.curves) {
+      if (curve.as == stack::CurveUse::Ribbon) change(curve);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<RailShape> railShapeOf(const stack::Rail& rail) {
+  const std::size_t count = rail.points.size();
+  if (rail.closed) return RailShape::Ring;
+  if (count == kSpringRounds * kRingPoints + 1) return RailShape::Spring;
+  if (count != 2) return std::nullopt;
+  const ModelPoint way = rail.points[1] - rail.points[0];
+  if (way.x == 0 && way.z == 0) return RailShape::Up;
+  return way.y == 0 && way.z == 0 ? std::optional(RailShape::Across) : std::nullopt;
+}
+
+StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
+  StackRecipe out = recipe;
+  if (recipe.rail.points.empty()) return out;
+  const Box box = boxOf(recipe.rail);
+  const ModelPoint middle = box.middle();
+  const double half = box.side() / 2, bend = kLeastBend * reachOf(recipe);
+  stack::Rail rail;
+  const auto add = [&](double x, double y, double z) { rail.points.push_back(middle + ModelPoint{x, y, z}); };
+  const auto angleOf = [](int i) { return 2 * std::numbers::pi * i / kRingPoints; };
+  switch (shape) {
+    case RailShape::Up:
+      add(0, -half, 0);
+      add(0, half, 0);
+      break;
+    case RailShape::Across:
+      add(-half, 0, 0);
+      add(half, 0, 0);
+      break;
+    case RailShape::Ring: {
+      const double radius = std::max(half, bend);
+      rail.closed = true;
+      for (int i = 0; i < kRingPoints; ++i) add(radius * std::sin(angleOf(i)), -radius * std::cos(angleOf(i)), 0);
+      break;
+    }
+    case RailShape::Spring: {
+      const double pitch = kPitch * reachOf(recipe) / kRingPoints;
+      constexpr int kSteps = kSpringRounds * kRingPoints;
+      for (int i = 0; i <= kSteps; ++i) {
+        add(bend * std::sin(angleOf(i)), pitch * (i - kSteps / 2.0), bend * std::cos(angleOf(i)));
+      }
+      break;
+    }
+  }
+  out.rail = rail;
+  if (stack::canRepeat(out.planes, out.rail, out.stack.patterns)) {
+    const std::uint32_t times = stack::timesOf(out.planes, out.stack.patterns);
+    stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);
+  }
+  return out;
+}
+
+std::optional<std::uint32_t> repeatsOf(const StackRecipe& recipe) {
+  if (!stack::canRepeat(recipe.planes, recipe.rail, recipe.stack.patterns)) return std::nullopt;
+  return stack::timesOf(recipe.planes, recipe.stack.patterns);
+}
+
+StackRecipe withRepeats(const StackRecipe& recipe, std::uint32_t times) {
+  StackRecipe out = recipe;
+  stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);
+  return out;
+}
+
+std::optional<sections::BlendKind> blendOf(const StackRecipe& recipe) {
+  if (recipe.planes.empty()) return std::nullopt;
+  const sections::BlendKind first = recipe.planes.front().blend.kind;
+  const bool all = std::ranges::all_of(recipe.planes, [&](const auto& plane) { return plane.blend.kind == first; });
+  return all ? std::optional(first) : std::nullopt;
+}
+
+StackRecipe withBlend(const StackRecipe& recipe, sections::BlendKind blend) {
+  StackRecipe out = recipe;
+  for (stack::Plane& plane : out.planes) plane.blend = {blend, {}};
+  return out;
+}
+
+StackRecipe withBumps(const StackRecipe& recipe, const stack::Rough& rough) {
+  StackRecipe out = recipe;
+  out.stack.rough = rough;
+  return out;
+}
+
+std::optional<double> wallOf(const StackRecipe& recipe) {
+  for (const stack::Plane& plane : recipe.planes) {
+    const auto wall = std::ranges::find(plane.curves, stack::CurveUse::Ribbon, &stack::Curve::as);
+    if (wall != plane.curves.end()) return wall->width;
+  }
+  return std::nullopt;
+}
+
+StackRecipe withWalls(const StackRecipe& recipe, double width) {
+  StackRecipe out = recipe;
+  eachWall(out, [&](stack::Curve& curve) { curve.width = width; });
+  return out;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,46 @@
+// What is set for a whole part made of layers: the line that its layers stand on, how often they stand there, how one
+// becomes the next, and how its surface is. Panels preview and commands act through the same functions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "engine/document/document.h"
+
+namespace spineloft::app {
+
+/// Ready rails: straight up, straight across, round and closed, and a spring of three rounds about an upright axis.
+enum class RailShape : std::uint8_t { Up, Across, Ring, Spring };
+struct RailShapeName {
+  RailShape shape;
+  std::string_view key, label;
+};
+inline constexpr std::array kRailShapes = {
+    RailShapeName{RailShape::Up, "up", "Up"}, RailShapeName{RailShape::Across, "across", "Across"},
+    RailShapeName{RailShape::Ring, "ring", "Ring"}, RailShapeName{RailShape::Spring, "spring", "Spring"}};
+/// Which of them a rail is; none for another one.
+std::optional<RailShape> railShapeOf(const stack::Rail& rail);
+/// The layers on a ready rail about the middle of their own, as far apart as there is room; straight ones are as long
+/// as the largest side of what they replace.
+document::StackRecipe withRail(const document::StackRecipe& recipe, RailShape shape);
+
+inline constexpr int kMostRepeats = 20;  ///< on the page
+/// How often all layers stand along the rail; none where they cannot be repeated (stack/run.h).
+std::optional<std::uint32_t> repeatsOf(const document::StackRecipe& recipe);
+/// Expects repeatsOf.
+document::StackRecipe withRepeats(const document::StackRecipe& recipe, std::uint32_t times);
+
+/// The blend between all layers; none where there are different ones.
+std::optional<sections::BlendKind> blendOf(const document::StackRecipe& recipe);
+document::StackRecipe withBlend(const document::StackRecipe& recipe, sections::BlendKind blend);
+
+document::StackRecipe withBumps(const document::StackRecipe& recipe, const stack::Rough& rough);
+
+/// Width of the first wall, picture pixels; none without one.
+std::optional<double> wallOf(const document::StackRecipe& recipe);
+/// Gives all walls this width.
+document::StackRecipe withWalls(const document::StackRecipe& recipe, double width);
+
+}  // namespace spineloft::app

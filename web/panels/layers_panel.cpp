@@ -1,0 +1,143 @@
+// What is set for a whole part made of layers, in the place of the section.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "web/commands/intents.h"
+#include "web/edit/layer_settings.h"
+#include "web/edit/placing.h"
+#include "web/edit/preview.h"
+#include "web/panels/number_text.h"
+#include "web/panels/theme.h"
+#include "web/panels/widgets.h"
+
+namespace spineloft::panels {
+namespace {
+
+using document::StackRecipe;
+
+struct Setting {
+  const char* id = "";
+  Text words;
+  double low = 0, high = 1;
+  double factor = 1;  ///< times what is shown
+  const char* shown = "{n}";
+  int digits = 0;
+};
+
+class Settings {
+ public:
+  Settings(const PanelEnv& env, const document::Part& part, float width)
+      : env_(env), part_(part), layers_(*document::stackOf(part)), width_(width) {
+    const document::PictureEntry* entry = document::findPicture(env.document(), layers_.picture);
+    if (entry != nullptr) side_ = std::max(entry->size.width, entry->size.height);
+    mm_ = app::mmPerUnit(env.document(), env.derived) / side_;
+  }
+
+  void way() {
+    if (layers_.rail.points.empty()) return;
+    label(env_.fonts.small, kMuted, "Line of the layers");
+    WordButtons buttons(env_, width_);
+    const auto now = app::railShapeOf(layers_.rail);
+    for (const app::RailShapeName& name : app::kRailShapes) {
+      const bool on = now == name.shape;
+      if (buttons.button(name.label.data(), name.label, on) && !on) keep(app::withRail(layers_, name.shape));
+    }
+  }
+
+  void between() {
+    using sections::BlendKind;
+    if (layers_.planes.size() < 2) return;
+    label(env_.fonts.small, kMuted, "From layer to layer");
+    WordButtons buttons(env_, width_);
+    const auto now = app::blendOf(layers_);
+    for (const auto& [kind, text] :
+         {std::pair{BlendKind::Flow, "Smooth"}, {BlendKind::Linear, "Straight"}, {BlendKind::Hold, "In steps"}}) {
+      if (buttons.button(text, text, now == kind) && now != kind) keep(app::withBlend(layers_, kind));
+    }
+  }
+
+  void numbers() {
+    if (const auto times = app::repeatsOf(layers_)) {
+      const double most = std::max<double>(app::kMostRepeats, *times);
+      number({"##times", "Times", 1, most, 1, "{n}", 0}, app::repeatsOf(shown()).value_or(*times),
+             [&](double value) { return app::withRepeats(layers_, static_cast<std::uint32_t>(std::lround(value))); });
+    }
+    if (!(mm_ > 0)) return;  // nothing to measure by
+    if (const auto wall = app::wallOf(layers_)) {
+      number({"##wall", "Wall", std::min(1.0, *wall), std::max(0.2 * side_, *wall), mm_, "{n} mm", 1},
+             app::wallOf(shown()).value_or(*wall), [&](double value) { return app::withWalls(layers_, value); });
+    }
+    const stack::Rough rough = layers_.stack.rough, now = shown().stack.rough;
+    number({"##bumps", "Bumps", 0, std::max(0.1 * side_, rough.amount), mm_, "{n} mm", 1}, now.amount,
+           [&](double value) {
+             stack::Rough changed = rough;
+             changed.amount = value;
+             return app::withBumps(layers_, changed);
+           });
+    if (!(rough.amount > 0)) return;
+    number({"##bump-size", "Size of bumps", std::min(0.01 * side_, rough.size), std::max(0.4 * side_, rough.size), mm_,
+            "{n} mm", 1},
+           now.size, [&](double value) {
+             stack::Rough changed = rough;
+             changed.size = value;
+             return app::withBumps(layers_, changed);
+           });
+    if (textButton(env_, {"other-bumps", "Other bumps", false, true, buttonSide(env_), width_})) {
+      stack::Rough changed = rough;
+      ++changed.seed;
+      keep(app::withBumps(layers_, changed));
+    }
+  }
+
+ private:
+  void keep(const StackRecipe& recipe) { env_.sink.run(app::remakeLayers, part_.id, recipe); }
+
+  /// As a slider in hand makes it, else as it is.
+  const StackRecipe& shown() const {
+    const app::Preview* preview = app::previewOf(env_.ui(), part_.id);
+    const auto* held = preview ? std::get_if<StackRecipe>(&preview->recipe) : nullptr;
+    return held ? *held : layers_;
+  }
+
+  /// Shows what it would do and does it when it is let go.
+  template <class Change>
+  void number(const Setting& what, double now, const Change& change) {
+    auto value = static_cast<float>(now * what.factor);
+    label(env_.fonts.small, kMuted, what.words);
+    ImGui::SetNextItemWidth(width_);
+    const std::string text = numberText(what.shown, static_cast<double>(value), what.digits);
+    const auto low = static_cast<float>(what.low * what.factor), high = static_cast<float>(what.high * what.factor);
+    const SliderTurn turn = slider(env_, {what.id, what.words.words, low, high, text.c_str(), false}, value);
+    const double chosen = std::clamp(static_cast<double>(value) / what.factor, what.low, what.high);
+    if (turn.changed) {
+      app::Preview& changed = app::previewPart(env_.ui(), part_);
+      changed.recipe = change(chosen);
+      changed.fresh = false;
+    }
+    if (!turn.done) return;
+    env_.ui().preview.reset();
+    keep(change(chosen));
+  }
+
+  const PanelEnv& env_;
+  const document::Part& part_;
+  const StackRecipe& layers_;
+  float width_;
+  double side_ = 1, mm_ = 0;  ///< of the picture, pixels; millimetres of one
+};
+
+}  // namespace
+
+void layersPanel(const PanelEnv& env, const document::Part& part, float width) {
+  Settings settings(env, part, width);
+  settings.way();
+  settings.between();
+  settings.numbers();
+}
+
+}  // namespace spineloft::panels
