@@ -69,23 +69,36 @@ function asan(env) {
     : doctest(withSeeds(program, 'even'), { but: ['data', 'slow'] }, lanes);
 }
 
+/** The native test program: with all cases, or with those files alone that have what takes long or reads the data. */
+const nativeTests = (env) => (many(env) ? 'spineloft_tests' : 'spineloft_tests_slow');
+
 /** What ships, and on the data once: the other builds give the same numbers (tests/cli/agree). */
 function native(env) {
   const program = {
     name: 'native-release',
-    command: join(presetDir('native-release'), 'spineloft_tests'),
+    command: join(presetDir('native-release'), nativeTests(env)),
     args: [],
     env,
   };
   return doctest(program, many(env) ? {} : { only: ['data', 'slow'] }, lanes);
 }
 
-/** The engine, optimised, with the numbers of WebAssembly. The page's side runs as WebAssembly in the page tests. */
-function wasmSingle(env) {
+const kWebTests = ['*/unit/web/*'];
+
+/**
+ * The engine, optimised, with the numbers of WebAssembly. The page's side runs as WebAssembly in the page tests; of its
+ * cases, here, what takes long.
+ */
+async function wasmSingle(env) {
   const program = { ...underNode('spineloft_tests_single'), env };
-  return many(env)
-    ? doctest(program, { but: ['data'] }, lanes)
-    : doctest(withSeeds(program, 'odd'), { but: ['data', 'slow'], butFiles: ['*/unit/web/*'] }, lanes);
+  if (many(env)) return doctest(program, { but: ['data'] }, lanes);
+  const engine = { but: ['data', 'slow'], butFiles: kWebTests };
+  return sumCounts(
+    await Promise.all([
+      doctest(withSeeds(program, 'odd'), engine, lanes),
+      doctest(program, { only: ['slow'], files: kWebTests }, lanes),
+    ]),
+  );
 }
 
 /** The same objects with threads. */
@@ -121,7 +134,7 @@ async function page(env) {
 }
 
 const kBuilds = {
-  native: { needs: ['native'], build: () => buildTargets('native-release', ['spineloft_tests', 'spineloft']) },
+  native: { needs: ['native'], build: (env) => buildTargets('native-release', [nativeTests(env), 'spineloft']) },
   command: {
     needs: ['native'],
     build: () => buildTargets('native-release', ['spineloft', 'spineloft_accuracy', 'spineloft_bench']),
@@ -185,7 +198,7 @@ function options() {
  * What the stages' builds are, each a promise: the set-up first, then one after the other on all processors. WebAssembly's
  * set-up, which mostly waits for downloads at first, goes on beside the native builds.
  */
-function startBuilds(names) {
+function startBuilds(names, env) {
   const wanted = [...new Set(names.flatMap((name) => kStages[name].builds ?? []))];
   const needs = new Set([
     ...names.flatMap((name) => kStages[name].needs ?? []),
@@ -196,7 +209,7 @@ function startBuilds(names) {
   const builds = wanted.map((name) => {
     const { needs: parts, build } = kBuilds[name];
     const ready = parts.includes('wasm') ? second : first;
-    return [name, ready.then(() => lanes.alone(build))];
+    return [name, ready.then(() => lanes.alone(() => build(env)))];
   });
   for (const [, built] of builds) built.catch(() => {}); // told by the stages that wait for it
   return { first, builds: Object.fromEntries(builds) };
@@ -225,7 +238,7 @@ await mainProgram(async () => {
   const started = Date.now();
   const { names, env } = options();
   say('== Set-up and builds');
-  const prepared = startBuilds(names);
+  const prepared = startBuilds(names, env);
   const results = await Promise.all(names.map((name) => runStage(name, prepared, env)));
   say('\n== Summary: stages share the processors, so their times overlap');
   for (const { name, note, time, ...counts } of results)

@@ -9,11 +9,12 @@ const kQuiet = ['--no-colors', '--no-version'];
 /** The suite of the tests that need the data folder: where there is none they are counted as skipped. */
 const kData = 'data';
 
-/** doctest's arguments for `{only, but, butFiles}`: the suites that run, those that do not, and files that do not. */
-export function suiteFilter({ only = [], but = [], butFiles = [] }) {
+/** doctest's arguments for `{only, but, files, butFiles}`: the suites that run, those that do not, and likewise files. */
+export function suiteFilter({ only = [], but = [], files = [], butFiles = [] }) {
   return [
     ...(only.length ? [`--test-suite=${only.join(',')}`] : []),
     ...(but.length ? [`--test-suite-exclude=${but.join(',')}`] : []),
+    ...(files.length ? [`--source-file=${files.join(',')}`] : []),
     ...(butFiles.length ? [`--source-file-exclude=${butFiles.join(',')}`] : []),
   ];
 }

@@ -1,9 +1,12 @@
 // Everything a person can do to a document, as values. Each is a verb of intent.
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -317,7 +320,7 @@ struct SetStepLook {
   Look look = {};
 };
 
-using Action =
+using AnyAction =
     std::variant<AddPicture, RemovePicture, DrawSpine, RedrawSpine, SetSection, SetCaps, SetLook, SetParameter,
                  RenamePart, ShowPart, DeletePart, SetHeight, RenameDocument, PoseSpine, EditRibs, IgnoreForPart,
                  IgnoreForPicture, SetSections, SetAlong, AddSketch, DrawOnSketch, RenamePicture, CombineParts, SetStep,
@@ -325,5 +328,16 @@ using Action =
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
                  CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece, SetSide>;
+/// One of them; as Recipe, how it is copied and taken apart stands in action.cpp alone.
+struct Action : AnyAction {
+  template <class A>
+    requires(!std::same_as<std::remove_cvref_t<A>, Action> && std::constructible_from<AnyAction, A>)
+  Action(A&& action) : AnyAction(std::forward<A>(action)) {}
+  Action(const Action& other);
+  Action(Action&& other) noexcept;
+  Action& operator=(const Action& other);
+  Action& operator=(Action&& other) noexcept;
+  ~Action();
+};
 
 }  // namespace spineloft::document

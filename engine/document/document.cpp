@@ -129,6 +129,16 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount
 
 }  // namespace
 
+Recipe::Recipe() = default;
+Recipe::Recipe(const Recipe&) = default;
+Recipe::Recipe(Recipe&&) noexcept = default;
+Recipe& Recipe::operator=(const Recipe&) = default;
+Recipe& Recipe::operator=(Recipe&&) noexcept = default;
+Recipe::~Recipe() = default;
+bool Recipe::operator==(const Recipe& other) const {
+  return static_cast<const AnyRecipe&>(*this) == static_cast<const AnyRecipe&>(other);
+}
+
 std::string_view kindKey(PartKind kind) {
   const auto at = static_cast<std::size_t>(kind);
   return at < kKindKeys.size() ? kKindKeys[at] : std::string_view();

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -148,10 +151,24 @@ struct ElementRecipe {
 };
 
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using Recipe =
+using AnyRecipe =
     std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe, ElementRecipe>;
 enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, Element, kCount };
-static_assert(std::variant_size_v<Recipe> == static_cast<std::size_t>(PartKind::kCount));
+static_assert(std::variant_size_v<AnyRecipe> == static_cast<std::size_t>(PartKind::kCount));
+/// One of them. How it is copied, compared and taken apart stands in document.cpp alone: every file that has one would
+/// be compiled for seconds otherwise.
+struct Recipe : AnyRecipe {
+  Recipe();
+  template <class R>
+    requires(!std::same_as<std::remove_cvref_t<R>, Recipe> && std::constructible_from<AnyRecipe, R>)
+  Recipe(R&& recipe) : AnyRecipe(std::forward<R>(recipe)) {}
+  Recipe(const Recipe& other);
+  Recipe(Recipe&& other) noexcept;
+  Recipe& operator=(const Recipe& other);
+  Recipe& operator=(Recipe&& other) noexcept;
+  ~Recipe();
+  bool operator==(const Recipe& other) const;
+};
 
 struct Part {
   PartId id;

@@ -473,7 +473,7 @@ template <std::size_t... I>
 Action makeAction(std::index_sequence<I...>, std::size_t which, Rng& rng, const Document& d) {
   using Maker = Action (*)(Rng&, const Document&);
   constexpr std::array<Maker, sizeof...(I)> makers = {[](Rng& r, const Document& doc) -> Action {
-    return Make<std::variant_alternative_t<I, Action>>::from(r, doc);
+    return Make<std::variant_alternative_t<I, AnyAction>>::from(r, doc);
   }...};
   return makers[which](rng, d);
 }
@@ -523,7 +523,7 @@ document::Placement randomPlacement(Rng& rng) {
 }
 
 document::Action randomAction(Rng& rng, const document::Document& document) {
-  constexpr std::size_t kActions = std::variant_size_v<Action>;
+  constexpr std::size_t kActions = std::variant_size_v<AnyAction>;
   // A board without pictures accepts little: fill it first.
   std::size_t which = document.pictures.empty() && rng.below(4) != 0 ? 0 : rng.below(kActions);
   // Removing a whole picture is rare in life, and would keep the random documents small.

@@ -15,7 +15,7 @@
 namespace spineloft::testing {
 
 /// How often an action of each alternative of the variant succeeded.
-using ActionCounts = std::array<int, std::variant_size_v<document::Action>>;
+using ActionCounts = std::array<int, std::variant_size_v<document::AnyAction>>;
 
 /// The documents of one session of `steps` random actions, from the empty board on; each differs from
 /// the one before it.
