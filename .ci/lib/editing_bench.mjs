@@ -49,7 +49,7 @@ async function processorMs({ page, whole }) {
 
 /**
  * Work that times itself, what a move of it takes of the processor on the page's own thread and in the process that draws,
- * which other programs on the machine do not lengthen, and the tasks beyond 50 ms while it went on: how many, and the
+ * which other programs on the machine do not lengthen, and the tasks beyond 50 ms while a hand moved: how many, and the
  * longest.
  */
 async function watched(page, work, argument) {
@@ -61,7 +61,7 @@ async function watched(page, work, argument) {
   await page.evaluate(() => {
     window.longTasks = [];
     window.longTaskWatch ??= new PerformanceObserver((list) => {
-      for (const { duration } of list.getEntries()) window.longTasks.push(duration);
+      window.longTasks.push(...list.getEntries());
     });
     window.longTaskWatch.observe({ type: 'longtask' });
   });
@@ -72,9 +72,12 @@ async function watched(page, work, argument) {
   const thread_ms = (after.thread - before.thread) / times.length,
     drawing_ms = (after.drawing - before.drawing) / times.length;
   const long = await page.evaluate(() => {
-    window.longTasks.push(...window.longTaskWatch.takeRecords().map(({ duration }) => duration));
+    window.longTasks.push(...window.longTaskWatch.takeRecords());
     window.longTaskWatch.disconnect();
-    return window.longTasks;
+    const { from, to } = window.handMoved;
+    return window.longTasks
+      .filter((task) => task.startTime >= from && task.startTime < to)
+      .map((task) => task.duration);
   });
   return { ...summary(times), thread_ms, drawing_ms, long_tasks: long.length, longest_ms: Math.max(0, ...long) };
 }
@@ -110,6 +113,7 @@ async function dragTimes([tool, moves]) {
         channel.port2.postMessage(0);
       }),
     );
+  const from = performance.now();
   send('pointerdown', at.x, at.y, 1);
   const times = [];
   for (let i = 0; i < moves; ++i) {
@@ -123,6 +127,7 @@ async function dragTimes([tool, moves]) {
     } while (!api.state().preview?.fresh);
     times.push(now - start);
   }
+  window.handMoved = { from, to: performance.now() };
   send('pointercancel', at.x, at.y, 0);
   await api.idle();
   return times;
@@ -132,6 +137,7 @@ async function dragTimes([tool, moves]) {
 async function hoverTimes([view, moves]) {
   const canvas = document.querySelector('#canvas');
   const box = canvas.getBoundingClientRect();
+  const from = performance.now();
   const times = [];
   for (let i = 0; i < moves; ++i) {
     const u = (i * 0.618) % 1,
@@ -150,6 +156,7 @@ async function hoverTimes([view, moves]) {
     times.push(performance.now() - start);
     await new Promise((resolve) => setTimeout(resolve, 4));
   }
+  window.handMoved = { from, to: performance.now() };
   return times;
 }
 

@@ -19,6 +19,8 @@ class KeptItems {
     if (!alike) picture_.clear();
     before_.assign(items.begin(), items.end());
   }
+  /// The picture would have to be of another size. What stays is known.
+  void dropPicture() { picture_.clear(); }
   /// Shares the frame's things out. True when the picture is to be drawn: of `picture()`.
   bool share() {
     const bool serves =

@@ -5,10 +5,10 @@
 namespace spineloft::gl {
 namespace {
 
-/// From the same place, in views of the same size.
+/// From the same place, in views of the same size, whatever the number of their pixels.
 bool sameView(const Scene& a, const Scene& b) {
-  return a.solidView == b.solidView && a.height == b.height && a.dpr == b.dpr && a.view == b.view &&
-         a.projection == b.projection && a.dark == b.dark;
+  return a.solidView == b.solidView && a.height == b.height && a.view == b.view && a.projection == b.projection &&
+         a.dark == b.dark;
 }
 
 Texture makeTexture(GLenum format, int width, int height) {
@@ -32,6 +32,7 @@ bool KeptLayer::make() {
 
 void KeptLayer::follow(const Scene& scene) {
   items_.follow(scene.meshes, sameView(scene, before_));
+  if (scene.dpr != before_.dpr) items_.dropPicture();
   before_ = scene;
 }
 

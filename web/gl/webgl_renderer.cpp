@@ -215,6 +215,7 @@ class WebGlRenderer final : public Renderer {
     Viewport at, within;
     double dpr = 0;
     bool operator==(const PictureShown&) const = default;
+    bool stands(const PictureShown& o) const { return picture == o.picture && at == o.at && within == o.within; }
   };
 
   /// A picture that stays where it is is drawn once more, and from then on copied.
@@ -225,10 +226,10 @@ class WebGlRenderer final : public Renderer {
     }
     const PictureShown shown{*scene.picture, scene.pictureAt, scene.pictureView, scene.dpr};
     const Pixels view = pixelsOf(scene, scene.pictureView);
-    if (shown != pictureShown_) {
-      pictureShown_ = shown;
-      pictureKept_ = false;
-    } else if (!pictureKept_ && stillPicture_.begin(view.width, view.height)) {
+    const bool stands = shown.stands(pictureShown_);
+    pictureKept_ = pictureKept_ && shown == pictureShown_;
+    pictureShown_ = shown;
+    if (stands && !pictureKept_ && stillPicture_.begin(view.width, view.height)) {
       drawPicture(*scene.picture, scene.pictureAt, scene.pictureView);
       stillPicture_.end();
       pictureKept_ = true;

@@ -320,7 +320,11 @@ void App::nameRib() {
 }
 
 void App::pointer(const platform::PointerEvent& event) {
+  constexpr double kTremble = 3;  // CSS pixels
   handMovedMs_ = host_.nowMs();
+  const ClientPoint at{event.x, event.y};
+  if (event.kind == platform::PointerKind::Down) pressedAt_ = at;
+  handMoves_ = event.kind == platform::PointerKind::Move && (handMoves_ || distance(at, pressedAt_) > kTremble);
   const Hover before = ui_.hover;
   const bool onPanels = gestures_.pointer(event, toolEnv()) == Gestures::Target::Panels;
   if (onPanels) {

@@ -146,8 +146,9 @@ class App final : public platform::Page, Hand {
   ShellView told_, view_;  ///< what the shell knows, and what it is compared with
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;
-  int movingFrames_ = 0;  ///< on end in which something moved
   double handMovedMs_ = 0;
+  ClientPoint pressedAt_;
+  bool handMoves_ = false;    ///< farther from there than a press that means to stay
   bool restPending_ = false;  ///< a wake is asked for when the hand rests
   double density_ = 1;        ///< device pixels a CSS pixel of the frame that is drawn
   bool wakePending_ = false, tooltipPending_ = false;

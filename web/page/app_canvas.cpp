@@ -15,8 +15,6 @@ constexpr double kRestMs = 150;
 constexpr double kMovingPixels = 0.4e6;
 /// Of the pixels of a frame at rest, along a side: with odd shares the panels would jump by a pixel.
 constexpr std::array kShares{1.0, 2.0 / 3, 0.5, 1.0 / 3, 0.25};
-/// A press that moves nothing shows no coarser frame.
-constexpr int kFramesOfMotion = 3;
 
 }  // namespace
 
@@ -46,11 +44,9 @@ void App::warmUp() {
 /// Of the frame that begins: where a processor draws, it comes sooner with fewer pixels while something moves.
 void App::chooseDensity() {
   const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
-  const bool flies = moving() && !studio_.works(), inHand = gestures_.active() || dragsControl;
-  movingFrames_ = flies || inHand ? movingFrames_ + 1 : 0;
+  const bool flies = moving() && !studio_.works() && !ui_.preview, inHand = gestures_.active() || dragsControl;
   platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
-  const bool coarse = movingFrames_ >= kFramesOfMotion && (flies || !handRests());
-  if (coarse && host_.drawsSlowly()) {
+  if (host_.drawsSlowly() && (flies || (inHand && handMoves_ && !handRests()))) {
     const auto pixels = [&](double dpr) { return size.width * size.height * dpr * dpr; };
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;

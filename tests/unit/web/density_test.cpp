@@ -22,7 +22,7 @@ struct Turned {
     rig.openBar();
     rig.drawBar();
     rig.pointer(PointerKind::Down, 800, 350);
-    for (int i = 1; i <= 6; ++i) turn(rig, 800 + 5 * i);
+    for (int i = 1; i <= 2; ++i) turn(rig, 800 + 5 * i);
   }
 };
 
@@ -54,7 +54,9 @@ TEST_CASE("a press that moves nothing shows no coarser frame") {
   rig.pointer(PointerKind::Down, 800, 350);
   rig.app->frame();
   CHECK(rig.gl->last.dpr == 1);
-  rig.pointer(PointerKind::Up, 800, 350);
+  turn(rig, 802);  // a finger is never quite still
+  CHECK(rig.gl->last.dpr == 1);
+  rig.pointer(PointerKind::Up, 802, 350);
   rig.app->frame();
   CHECK(rig.gl->last.dpr == 1);
 }

@@ -48,6 +48,10 @@ TEST_CASE("every thing of a frame is in the picture or drawn besides, and the pi
       frames.step();
       kept.follow(frames.items, frames.alike);
       usable = usable && frames.alike;
+      if (frames.rng.below(12) == 0) {  // another number of pixels
+        kept.dropPicture();
+        usable = false;
+      }
       if (frames.rng.below(5) == 0) continue;  // a frame that is drawn in another way
       if (kept.share()) {
         drawn = kept.picture();
@@ -91,4 +95,20 @@ TEST_CASE("from another place nothing is taken from the picture") {
   CHECK_FALSE(kept.share());
   CHECK(kept.picture().empty());
   CHECK(kept.others() == items);
+}
+
+TEST_CASE("a picture of another size is drawn in the frame that asks for it, of what stays") {
+  std::vector<int> items{1, 2, 3, 4};
+  gl::KeptItems<int> kept;
+  for (int frame = 0; frame < 3; ++frame) {
+    items[0] = 10 + frame;
+    kept.follow(items, true);
+    kept.share();
+  }
+  items[0] = 20;
+  kept.follow(items, true);
+  kept.dropPicture();
+  CHECK(kept.share());
+  CHECK(kept.picture() == std::vector{2, 3, 4});
+  CHECK(kept.others() == std::vector{20});
 }
