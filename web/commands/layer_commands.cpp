@@ -116,7 +116,9 @@ Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double a
   if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
   if (part) {
     const auto actions = actionsTo(*document::findPart(env.studio.document(), part), recipe);
-    if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+    if (const Status status = actions.empty() ? Done{} : env.studio.act(actions); !status) {
+      return refuse(status.failure());
+    }
     env.ui.selection = part;
   } else {
     const document::DrawStack draw{recipe.picture, recipe.planes, recipe.rail, recipe.stack, layerLook(env.ui)};
@@ -307,7 +309,7 @@ constexpr std::array kTable = {
     Command{.id = "layer-wall", .label = "Width of walls", .icon = "ruler", .group = "part", .argument = kWidth,
             .hint = "How wide open lines are", .enabled = kHasWalls, .run = wallRow},
     Command{.id = "draw-layer", .label = "Layer by numbers", .icon = "layers", .group = "part", .argument = kLine,
-            .hint = "A closed line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
+            .hint = "A line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
 };
 // clang-format on
 
@@ -330,14 +332,11 @@ Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPo
 
 Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {
   const document::Part* part = document::findPart(env.studio.document(), id);
-  const document::StackRecipe* before = layersOf(part);
-  if (before == nullptr) return refuse({Error::NotAStack, {}});
-  const auto placed =
-      sheetFor(env.studio.document(), id, {}, env.ui.layers.part == id ? env.ui.layers.at : std::nullopt);
-  const std::optional<std::size_t> layer = placed ? placed->layer : std::nullopt;
-  const double at = layer && recipe.planes.size() == before->planes.size() ? recipe.planes[*layer].at
-                    : placed                                               ? placed->at
-                                                                           : 0;
+  if (layersOf(part) == nullptr) return refuse({Error::NotAStack, {}});
+  const bool placed = env.ui.layers.part == id;
+  const auto sheet = sheetFor(env.studio.document(), id, {}, placed ? env.ui.layers.at : std::nullopt);
+  if (!sheet) return noSheet();
+  const double at = sheet->onRail() && sheet->layer ? recipe.planes[*sheet->layer].at : sheet->at;
   return keep(env, id, recipe, at);
 }
 
