@@ -195,8 +195,8 @@ function options() {
 }
 
 /**
- * What the stages' builds are, each a promise: the set-up first, then one after the other on all processors. WebAssembly's
- * set-up, which mostly waits for downloads at first, goes on beside the native builds.
+ * What the stages' builds are, each a promise: the native compilers first, then one after the other on all processors. The
+ * rest of the set-up, which mostly waits for downloads and for one processor, goes on beside the native builds.
  */
 function startBuilds(names, env) {
   const wanted = [...new Set(names.flatMap((name) => kStages[name].builds ?? []))];
@@ -204,11 +204,12 @@ function startBuilds(names, env) {
     ...names.flatMap((name) => kStages[name].needs ?? []),
     ...wanted.flatMap((name) => kBuilds[name].needs),
   ]);
-  const first = setup([...needs].filter((part) => part !== 'wasm'));
+  const compilers = needs.has('native') ? setup(['native']) : Promise.resolve();
+  const first = compilers.then(() => setup([...needs].filter((part) => part !== 'wasm')));
   const second = needs.has('wasm') ? first.then(() => setup(['wasm'])) : first;
   const builds = wanted.map((name) => {
     const { needs: parts, build } = kBuilds[name];
-    const ready = parts.includes('wasm') ? second : first;
+    const ready = parts.includes('wasm') ? second : parts.every((part) => part === 'native') ? compilers : first;
     return [name, ready.then(() => lanes.alone(() => build(env)))];
   });
   for (const [, built] of builds) built.catch(() => {}); // told by the stages that wait for it
