@@ -40,15 +40,6 @@ double reachOf(const StackRecipe& recipe) {
   return reach;
 }
 
-template <class Change>
-void eachWall(StackRecipe& recipe, const Change& change) {
-  for (stack::Plane& plane : recipe.planes) {
-    for (stack::Curve& curve : plane.curves) {
-      if (curve.as == stack::CurveUse::Ribbon) change(curve);
-    }
-  }
-}
-
 }  // namespace
 
 std::optional<RailShape> railShapeOf(const stack::Rail& rail) {
@@ -142,7 +133,11 @@ std::optional<double> wallOf(const StackRecipe& recipe) {
 
 StackRecipe withWalls(const StackRecipe& recipe, double width) {
   StackRecipe out = recipe;
-  eachWall(out, [&](stack::Curve& curve) { curve.width = width; });
+  for (stack::Plane& plane : out.planes) {
+    for (stack::Curve& curve : plane.curves) {
+      if (curve.as == stack::CurveUse::Ribbon) curve.width = width;
+    }
+  }
   return out;
 }
 
