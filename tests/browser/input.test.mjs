@@ -101,6 +101,18 @@ test('a phone: what is said lies on the panel and leaves its tabs free, with a b
     await toast.waitFor({ state: 'detached', timeout: 1000 });
   }));
 
+test('what a toast offers to do to a model goes when another one is opened', () =>
+  onPage(kit, kPhone, async (page) => {
+    await done(page, 'new-sketch');
+    const { width, height } = (await state(page)).picture;
+    await run(page, 'draw');
+    await drawWithFinger(page, line([width / 2, height * 0.35], [width / 2, height * 0.7]));
+    const offer = page.locator('.toast').getByRole('button', { name: 'Try again' });
+    await offer.waitFor();
+    await done(page, 'new-model');
+    assert.equal(await offer.count(), 0);
+  }));
+
 test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () =>
   withTube({ ...kPhone, draws: true }, async (page) => {
     await page.setViewportSize({ width: 320, height: 568 });

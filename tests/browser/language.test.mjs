@@ -146,6 +146,25 @@ test('on a phone what comes next moves nothing, however long its words are in a 
     );
   }));
 
+test('on a phone the button of what is said holds its words in every language', () =>
+  onPage(kit, { ...kPhone, locale: 'de' }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const aside = [30, 60, 90].map((x) => [x, 20]);
+    await run(page, 'draw-spine', { stroke: aside });
+    const button = page.locator('.toast-action');
+    await button.waitFor();
+    const texts = ['de', 'fr', 'es', 'ja', 'ar'].map((id) => words(id)['Try again']);
+    const cut = await button.evaluate(
+      (element, all) =>
+        all.filter((text) => {
+          element.textContent = text;
+          return element.scrollWidth > element.clientWidth;
+        }),
+      texts,
+    );
+    assert.deepEqual(cut, []);
+  }));
+
 test('Arabic is written from the right, with letters that its fonts have', () =>
   onPage(kit, { alone: true, ...kSizes.desktop }, async (page) => {
     await speak(page, 'ar');

@@ -29,6 +29,12 @@ export interface ToastAction {
   run(): void;
 }
 
+/** Another model is open: what toasts offer to do to the one before goes. */
+export function withdrawOffers(): void {
+  for (const button of byId('toasts').querySelectorAll('.toast-action[data-command]'))
+    button.closest('.toast')?.remove();
+}
+
 /**
  * Shows a toast; the same text again only restarts its time. What is to be done stands after what is only told: where there
  * is room for one, the last is shown.

@@ -2,7 +2,7 @@
 // when keeping does not work. One tab writes a model (claims.ts); every step of it is written down (journal_writer.ts).
 import { hideBanner, showBanner } from '../banner.ts';
 import { Failure, sentenceOf } from '../failure.ts';
-import { toast } from '../toasts.ts';
+import { toast, withdrawOffers } from '../toasts.ts';
 import { animalOf } from './animals.ts';
 import type { Animal } from './animals.ts';
 import { makeClaims } from './claims.ts';
@@ -327,6 +327,7 @@ export class Keeper {
     const old = this.current;
     if (old && old !== info?.id) this.claims?.release(old);
     clearTimeout(this.thumbnailTimer);
+    withdrawOffers();
     this.setReadOnly(false);
     this.writer.attach(info);
     this.rememberOpen(info?.id ?? null);
