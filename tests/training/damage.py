@@ -132,8 +132,13 @@ def bites(r, picture, ground, mask, outline, width):
     return taken > 127
 
 
+CLEAN_SHARE = 0.12  # of pictures that no camera took: flat colours, no noise
+
+
 def camera(r, picture):
     """Blur, vignette, colour cast, noise: what the camera adds. Returns 8-bit and the noise in grey levels."""
+    if r.random() < CLEAN_SHARE:
+        return np.clip(picture * 255 + 0.5, 0, 255).astype(np.uint8), 0.0
     h, w = picture.shape[:2]
     if r.random() < 0.45:
         picture = cv2.GaussianBlur(picture, (0, 0), r.uniform(0.4, 0.4 + 0.0025 * max(h, w)))

@@ -35,6 +35,19 @@ def weights_file(net):
     return out + struct.pack("<I", zlib.crc32(out))
 
 
+def read_weights(net, path):
+    """A file that weights_file wrote, into a network of its sizes."""
+    data = memoryview(open(path, "rb").read())
+    at = 12 + 12 * len(net.layers())
+    for _, layer in net.layers():
+        o, i, side, _ = layer.weight.shape
+        scale, bias = np.frombuffer(data, "<f4", 2 * o, at).copy().reshape(2, o)
+        whole = np.frombuffer(data, np.int8, side * side * i * o, at + 8 * o).reshape(side, side, i, o)
+        layer.weight.data = torch.from_numpy(whole.transpose(3, 2, 0, 1) * scale[:, None, None, None]).contiguous()
+        layer.bias.data = torch.from_numpy(bias)
+        at += 8 * o + whole.size
+
+
 def fixture(net, rows=16, levels=32):
     """Seeded input, as bytes, and the scores of the exported weights in single precision."""
     x = np.random.default_rng(7).integers(-127, 128, (2, rows, levels, CHANNELS), np.int8)

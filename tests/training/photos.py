@@ -128,34 +128,48 @@ def verdict(picture, sha, reserved, seen, cases):
     return ("case" if most >= SAME_PICTURE else "used"), most, name
 
 
-def build(packages_folder, reserved_file, cases_folder):
-    """Fills the bank and writes the list."""
-    bank = bank_folder()
-    unpack(packages_folder, bank / "packages")
-    (bank / "photos").mkdir(parents=True, exist_ok=True)
+def decoded(data):
+    """A picture as it is stored: 8 bits, without an alpha that hides nothing; None where it is no such picture."""
+    picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
+    if picture is None or picture.dtype != np.uint8:
+        return None
+    if picture.ndim == 3 and picture.shape[2] == 4 and picture[..., 3].min() == 255:
+        return np.ascontiguousarray(picture[..., :3])
+    return picture
+
+
+def make_list(reserved_file, cases_folder):
+    """Writes the list from the unpacked packages."""
     reserved = {line.split()[1] for line in reserved_file.read_text().splitlines() if line[0] != "#"}
     paths = sorted(p for p in cases_folder.glob("*/image.*"))
     cases = [(p.parent.name, Features(cv2.imread(str(p)))) for p in paths]
     seen, rows = [], ["sha256\tpackage\tfile\tverdict\tinliers\tcase\tside"]
-    for package, name, data in candidates(bank / "packages"):
+    for package, name, data in candidates(bank_folder() / "packages"):
         sha = hashlib.sha256(data).hexdigest()
-        picture = None if sha in reserved else cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
-        if picture is not None and picture.dtype != np.uint8:
-            picture = None
-        if picture is not None and picture.ndim == 3 and picture.shape[2] == 4 and picture[..., 3].min() == 255:
-            picture = np.ascontiguousarray(picture[..., :3])
+        picture = None if sha in reserved else decoded(data)
         word, most, case = verdict(picture, sha, reserved, seen, cases)
         if word in ("small", "drawn", "twice"):
             continue
         rows.append(f"{sha}\t{package}\t{name}\t{word}\t{most}\t{case}\t{split_of(sha) if word == 'used' else ''}")
-        if word == "used":
-            scale = min(1, LONG_SIDE / max(picture.shape[:2]))
-            small = (
-                cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) if scale < 1 else picture
-            )
-            cv2.imwrite(str(bank / "photos" / f"{sha[:16]}.jpg"), small, [cv2.IMWRITE_JPEG_QUALITY, 92])
     LIST.write_text("\n".join(rows) + "\n")
-    print(f"{sum(r.split(chr(9))[3] == 'used' for r in rows)} photos used, list in {LIST}")
+
+
+def fill():
+    """Stores the photos of the list in the bank."""
+    target = bank_folder() / "photos"
+    target.mkdir(parents=True, exist_ok=True)
+    wanted = {*names("training"), *names("validation")}
+    for _, _, data in candidates(bank_folder() / "packages"):
+        name = hashlib.sha256(data).hexdigest()[:16]
+        if name not in wanted:
+            continue
+        picture = decoded(data)
+        scale = min(1, LONG_SIDE / max(picture.shape[:2]))
+        small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA) if scale < 1 else picture
+        cv2.imwrite(str(target / f"{name}.jpg"), small, [cv2.IMWRITE_JPEG_QUALITY, 92])
+        wanted.remove(name)
+    if wanted:
+        sys.exit(f"{len(wanted)} photos of {LIST} are in other versions of the packages, or another list is needed")
 
 
 _lists = {}
@@ -180,7 +194,10 @@ def read(name):
 if __name__ == "__main__":
     say = argparse.ArgumentParser(description=__doc__)
     say.add_argument("--packages", type=Path, required=True, help="folder with the downloaded .deb files")
-    say.add_argument("--reserved", type=Path, required=True, help="list of files that must not be used")
-    say.add_argument("--cases", type=Path, required=True, help="folder of cases no photo may share a picture with")
+    say.add_argument("--reserved", type=Path, help="with --cases: makes the list anew, without these files")
+    say.add_argument("--cases", type=Path, help="folder of cases no photo may share a picture with")
     given = say.parse_args()
-    build(given.packages, given.reserved, given.cases)
+    unpack(given.packages, bank_folder() / "packages")
+    if given.reserved and given.cases:
+        make_list(given.reserved, given.cases)
+    fill()

@@ -18,7 +18,7 @@ from colours import colour, lab_shift
 from solids import Solid, room
 from things import UNIT_STEPS, extent, make_solid, placed, rotation, unit_thing
 
-VERSION = 4
+VERSION = 5
 FIRST_TRAINING_SEED = 10_000
 NO_EDGE = (50, 120)  # Canny thresholds of "no edge nearby"
 
@@ -433,7 +433,6 @@ def _drawing(r, seed, size, side, thing, profile):
         scene.picture, sigma = damage.camera(r, picture)
     else:
         scene.picture, sigma = np.clip(picture * 255 + 0.5, 0, 255).astype(np.uint8), 0.0
-        scene.said["quality"] = 97
     scene.said |= {
         "category": "sketch",
         "background": "paper",
@@ -535,7 +534,8 @@ def make(seed):
         scene = _drawing(r, seed, size, side, thing, profile)
     elif scene is None:
         scene = _photo_like(r, seed, size, side, thing, profile, material)
-    scene.said = {"spine": spine, "profile": profile, "side": side, "quality": int(r.integers(45, 98))} | scene.said
+    quality = int(r.integers(45, 98)) if scene.said["noise"] > 0 else 97
+    scene.said = {"spine": spine, "profile": profile, "side": side, "quality": quality} | scene.said
     if not scene.strokes:
         scene.strokes = strokes.strokes_of(r, scene.solid.axis(), size)
     return scene

@@ -36,11 +36,9 @@ def one_long_piece(alpha):
     return len(rows) > 1.25 * rows.sum(1).max() and (runs == 1).mean() > 0.93
 
 
-def build(package_folder, cases_folder):
-    """Writes the list and copies what can be used."""
+def make_list(package_folder, cases_folder):
+    """Writes the list."""
     cases = [(p.parent.name, Features(cv2.imread(str(p)))) for p in sorted(cases_folder.glob("*/image.*"))]
-    target = bank_folder() / "stamps"
-    target.mkdir(parents=True, exist_ok=True)
     rows = ["sha256\tfile\tinliers\tverdict\tside"]
     for path in sorted(package_folder.rglob("*.png")):
         picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
@@ -50,15 +48,21 @@ def build(package_folder, cases_folder):
         box = cv2.boundingRect((alpha > 127).astype(np.uint8))
         if max(box[2:]) < SMALLEST or alpha.min() > 127 or not _photographed(picture):
             continue
-        data = path.read_bytes()
-        sha = hashlib.sha256(data).hexdigest()
+        sha = hashlib.sha256(path.read_bytes()).hexdigest()
         features = Features(np.ascontiguousarray(picture[..., :3]))
         most = max(max(c.inliers(features), features.inliers(c)) for _, c in cases)
         word = "case" if most >= SAME_PICTURE else "long" if one_long_piece(alpha) else "clutter"
         rows.append(f"{sha}\t{path.relative_to(package_folder)}\t{most}\t{word}\t{split_of(sha)}")
-        if word != "case":
-            (target / f"{sha[:16]}.png").write_bytes(data)
     LIST.write_text("\n".join(rows) + "\n")
+
+
+def fill(package_folder):
+    """Stores the stamps of the list in the bank."""
+    target = bank_folder() / "stamps"
+    target.mkdir(parents=True, exist_ok=True)
+    for sha, file, _, word, _ in (line.split("\t") for line in LIST.read_text().splitlines()[1:]):
+        if word != "case":
+            (target / f"{sha[:16]}.png").write_bytes((package_folder / file).read_bytes())
 
 
 def _photographed(picture):
@@ -151,6 +155,8 @@ def thing(r, picture, size, side):
 if __name__ == "__main__":
     say = argparse.ArgumentParser(description=__doc__)
     say.add_argument("--package", type=Path, required=True, help="the unpacked tuxpaint-stamps-default")
-    say.add_argument("--cases", type=Path, required=True)
+    say.add_argument("--cases", type=Path, help="makes the list anew, without what shares a picture with these cases")
     given = say.parse_args()
-    build(given.package, given.cases)
+    if given.cases:
+        make_list(given.package, given.cases)
+    fill(given.package)

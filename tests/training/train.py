@@ -1,8 +1,10 @@
 """Trains the network on strips (spineloft_strips). See README.md.
 
-train.py STRIPS_GLOB --val VAL_GLOB --out NET.pt [--steps 12000] [--seed 1]
+train.py STRIPS_GLOB --val VAL_GLOB --out NET.pt [--steps 12400] [--seed 1] [--device cuda]
 """
 import argparse
+import collections
+import concurrent.futures
 import copy
 import glob
 import math
@@ -12,9 +14,10 @@ import numpy as np
 import torch
 import torch.nn.functional as F
 
-from model import CHANNELS, Net
+from export import read_weights
+from model import CHANNELS, COARSE, FINE, Net
 
-COLOUR, FAN, REACHED = (0, 1, 2), 15, 14
+REACHED = 14
 
 
 def load(patterns):
@@ -46,34 +49,68 @@ def fetch(shards, picks):
     return torch.from_numpy(x), torch.from_numpy(t)
 
 
+def picks_of(groups, batch, rng):
+    """Batches of one shape each, for ever; every strip of a shape comes before one of it comes again."""
+    orders = [[] for _ in groups]
+    often = np.sqrt([len(group) for group in groups])
+    while True:
+        which = rng.choice(len(groups), p=often / often.sum())
+        if len(orders[which]) < batch:
+            orders[which] = list(rng.permutation(len(groups[which])))
+        yield [groups[which][orders[which].pop()] for _ in range(batch)]
+
+
+def batches(shards, groups, a):
+    """Strips and exits of every step on the device, read ahead."""
+    picks = picks_of(groups, a.batch, np.random.default_rng(a.seed))
+    with concurrent.futures.ThreadPoolExecutor(a.readers) as readers:
+        ahead = collections.deque(readers.submit(fetch, shards, next(picks)) for _ in range(2 * a.readers))
+        for _ in range(a.steps):
+            x, t = ahead.popleft().result()
+            ahead.append(readers.submit(fetch, shards, next(picks)))
+            yield x.to(a.device).float() / 127, t.to(a.device)
+
+
 def augment(x, t, rng):
     """In the strip: rows reversed, sides swapped, lightness inverted, hue turned, chroma scaled, noise, holes."""
-    n = len(x)
-    for i in range(n):
-        if rng.random() < 0.5:
-            x[i], t[i] = x[i].flip(1), t[i].flip(1)
-        if rng.random() < 0.5:
-            x[i], t[i] = x[i].flip(0), t[i].flip(0)
-    light = torch.from_numpy(np.where(rng.random(n) < 0.3, -1.0, 1.0) * rng.uniform(0.8, 1.2, n)).float()
-    angle = rng.uniform(0, 2 * math.pi, n) * (rng.random(n) < 0.7)
-    chroma = rng.uniform(0.3, 1.3, n)
-    view = (n, 1, 1, 1)
-    c = torch.from_numpy(chroma * np.cos(angle)).float().view(view)
-    s = torch.from_numpy(chroma * np.sin(angle)).float().view(view)
-    a, b = x[..., 1].clone(), x[..., 2].clone()
-    x[..., 0] *= light.view(view)
-    x[..., 1] = c * a - s * b
-    x[..., 2] = s * a + c * b
-    noise = torch.from_numpy(rng.uniform(0, 0.03, n) * (rng.random(n) < 0.5)).float().view(n, 1, 1, 1, 1)
-    reached = x[..., REACHED:REACHED + 1].clone()
-    x[..., :12] += noise * torch.randn(x[..., :12].shape)
-    for i in range(n):
-        if rng.random() < 0.15:
-            side, rows, levels = rng.integers(2), rng.integers(2, 14), rng.integers(4, 30)
-            r, k = rng.integers(x.shape[2] - rows), rng.integers(x.shape[3] - levels)
-            x[i, side, r:r + rows, k:k + levels] = 0
-    x *= (reached > 0)
-    return x.clamp_(-1.2, 1.2), t
+    n, _, rows, levels, _ = x.shape
+
+    def uniform(low, high):
+        return low + (high - low) * torch.rand(n, generator=rng, device=x.device)
+
+    def chance(share):
+        return uniform(0, 1) < share
+
+    def each(values):
+        return values.view(n, *[1] * (x.dim() - 1))
+
+    for axis in (2, 1):
+        turned = chance(0.5)
+        x = torch.where(each(turned), x.flip(axis), x)
+        t = torch.where(turned.view(n, 1, 1), t.flip(3 - axis), t)
+    light = torch.where(chance(0.3), -1.0, 1.0) * uniform(0.8, 1.2)
+    angle = uniform(0, 2 * math.pi) * chance(0.7)
+    chroma = uniform(0.3, 1.3)
+    c, s = chroma * angle.cos(), chroma * angle.sin()
+    colour, others = x[..., :3], x[..., 3:]
+    turn = torch.zeros(n, 3, 3, device=x.device)
+    turn[:, 0, 0], turn[:, 1, 1], turn[:, 1, 2], turn[:, 2, 1], turn[:, 2, 2] = light, c, -s, s, c
+    colour = torch.einsum("nij,nsrkj->nsrki", turn, colour)
+    x = torch.cat([colour, others], -1)
+    noise = uniform(0, 0.03) * chance(0.5)
+    x[..., :12] += each(noise) * torch.randn(*x.shape[:-1], 12, generator=rng, device=x.device)
+    hole = chance(0.15)
+    side, row, level = uniform(0, 2).long(), uniform(0, rows - 14), uniform(0, levels - 30)
+    last_row, last_level = row + uniform(2, 14), level + uniform(4, 30)
+    at = [torch.arange(size, device=x.device) for size in (2, rows, levels)]
+    within = [
+        at[0] == side[:, None],
+        (at[1] >= row[:, None]) & (at[1] < last_row[:, None]),
+        (at[2] >= level[:, None]) & (at[2] < last_level[:, None]),
+    ]
+    hidden = within[0][:, :, None, None] & within[1][:, None, :, None] & within[2][:, None, None, :]
+    seen = (others[..., REACHED - 3] > 0) & ~(hidden & hole.view(n, 1, 1, 1))
+    return (x * seen[..., None]).clamp_(-1.2, 1.2), t
 
 
 def prepared(x):
@@ -83,42 +120,48 @@ def prepared(x):
 
 def log_likelihood(net, x):
     """(strokes, 2, rows, levels); label 0 has none."""
-    with torch.autocast("cpu", torch.bfloat16):
+    with torch.autocast(x.device.type, torch.bfloat16):
         y = net(prepared(x))
     y = y.float()
-    y[..., 0] = -30
+    y = torch.cat([torch.full_like(y[..., :1], -30), y[..., 1:]], -1)
     return F.log_softmax(y, -1).unflatten(0, (-1, 2))
 
 
 def losses(logp, t):
-    labels = torch.arange(logp.shape[-1]).float()
+    """Of every row: cross entropy and expected distance, and whether its truth is known."""
+    labels = torch.arange(logp.shape[-1], device=logp.device).float()
     known = t >= 0
     k = torch.where(known, t, torch.zeros_like(t)).unsqueeze(-1)
     target = torch.exp(-0.5 * ((labels - k) / 0.8) ** 2)
     target = target / target.sum(-1, keepdim=True).clamp_min(1e-6)
     ce = -(target * logp).sum(-1)
     far = (logp.exp() * ((labels - k).abs() / 12).clamp(max=1)).sum(-1)
-    return ce[known], far[known]
+    return ce, far, known.float()
 
 
-def learning_rate(share, peak=3e-3):
+def mean_of(values, known):
+    return (values * known).sum() / known.sum().clamp_min(1)
+
+
+def learning_rate(share, peak):
     return peak * (min(1, share / 0.03) * 0.5 * (1 + math.cos(math.pi * share)) + 0.004)
 
 
 @torch.no_grad()
-def validate(net, shards, most=600):
+def validate(net, shards, device, most=1200):
     """Cross entropy, expected distance, and the share of rows whose best label is within 3; of every shape."""
     net.eval()
     found = []
     for picks in items(shards):
         picks = picks[:: max(1, len(picks) // most)]
         sums = np.zeros(4)
-        for i in range(0, len(picks), 16):
-            x, t = fetch(shards, picks[i:i + 16])
-            logp = log_likelihood(net, x.float() / 127)
-            ce, far = losses(logp, t)
-            close = ((logp.argmax(-1) - t).abs() <= 3)[t >= 0]
-            sums += ce.sum().item(), far.sum().item(), close.sum().item(), len(ce)
+        for i in range(0, len(picks), 32):
+            x, t = fetch(shards, picks[i:i + 32])
+            x, t = x.to(device).float() / 127, t.to(device)
+            logp = log_likelihood(net, x)
+            ce, far, known = losses(logp, t)
+            close = (logp.argmax(-1) - t).abs() <= 3
+            sums += [(v * known).sum().item() for v in (ce, far, close, known)]
         found.append(" ".join(f"{v:.4f}" for v in sums[:3] / sums[3]))
     net.train()
     return ", ".join(found)
@@ -129,57 +172,53 @@ def main():
     p.add_argument("strips", nargs="+")
     p.add_argument("--val", nargs="+", required=True)
     p.add_argument("--out", required=True)
-    p.add_argument("--steps", type=int, default=12000)
+    p.add_argument("--steps", type=int, default=12400)
     p.add_argument("--batch", type=int, default=16)
     p.add_argument("--seed", type=int, default=1)
-    p.add_argument("--start", help="weights to begin with")
+    p.add_argument("--start", help="a weights file to begin with")
     p.add_argument("--peak", type=float, default=3e-3)
+    p.add_argument("--fine", type=int, default=FINE)
+    p.add_argument("--coarse", type=int, default=COARSE)
+    p.add_argument("--device", default="cpu")
+    p.add_argument("--readers", type=int, default=1, help="threads that read strips")
     p.add_argument("--threads", type=int, default=1)
     a = p.parse_args()
     torch.set_num_threads(a.threads)
     torch.manual_seed(a.seed)
-    rng = np.random.default_rng(a.seed)
-    net = Net().to(memory_format=torch.channels_last)
+    rng = torch.Generator(a.device).manual_seed(a.seed)
+    net = Net(a.fine, a.coarse)
     if a.start:
-        net.load_state_dict(torch.load(a.start))
+        read_weights(net, a.start)
+    net = net.to(a.device, memory_format=torch.channels_last)
     average = copy.deepcopy(net)
     opt = torch.optim.AdamW(net.parameters(), lr=a.peak, weight_decay=1e-4)
-    val = load(a.val)
-    began = time.time()
-    shards = load(a.strips)
+    val, shards = load(a.val), load(a.strips)
     groups = items(shards)
-    orders = [[] for _ in groups]
-    often = np.sqrt([len(group) for group in groups])
     print([len(group) for group in groups], "strips", flush=True)
     print(sum(q.numel() for q in net.parameters()), "weights", flush=True)
-    mean = [0.0, 0.0]
-    for step in range(1, a.steps + 1):
-        which = rng.choice(len(groups), p=often / often.sum())
-        if len(orders[which]) < a.batch:
-            orders[which] = list(rng.permutation(len(groups[which])))
-        batch = [groups[which][orders[which].pop()] for _ in range(a.batch)]
+    mean = torch.zeros(2, device=a.device)
+    began = time.time()
+    for step, (x, t) in enumerate(batches(shards, groups, a), 1):
         for group in opt.param_groups:
             group["lr"] = learning_rate(step / a.steps, a.peak)
-        x, t = fetch(shards, batch)
-        x, t = augment(x.float() / 127, t, rng)
-        ce, far = losses(log_likelihood(net, x), t)
-        loss = ce.mean() + 0.7 * far.mean()
+        x, t = augment(x, t, rng)
+        ce, far, known = losses(log_likelihood(net, x), t)
+        both = torch.stack([mean_of(ce, known), mean_of(far, known)])
         opt.zero_grad(set_to_none=True)
-        loss.backward()
+        (both[0] + 0.7 * both[1]).backward()
         torch.nn.utils.clip_grad_norm_(net.parameters(), 1.0)
         opt.step()
         keep = min(0.999, 1 - 1 / (1 + step / 10))
         with torch.no_grad():
             for q, w in zip(average.parameters(), net.parameters()):
                 q.lerp_(w, 1 - keep)
-        mean[0] += 0.02 * (ce.mean().item() - mean[0])
-        mean[1] += 0.02 * (far.mean().item() - mean[1])
-        if step % 200 == 0:
+            mean += 0.02 * (both.detach() - mean)
+        if step % 500 == 0:
             minutes = (time.time() - began) / 60
-            print(f"{step} in {minutes:.1f} min ce {mean[0]:.3f} far {mean[1]:.4f}", flush=True)
-        if step % 1000 == 0 or step == a.steps:
-            torch.save(average.state_dict(), a.out)
-            print(step, "validation", validate(average, val), flush=True)
+            print(f"{step} in {minutes:.1f} min ce {mean[0].item():.3f} far {mean[1].item():.4f}", flush=True)
+        if step % 2000 == 0 or step == a.steps:
+            torch.save({k: v.cpu().contiguous() for k, v in average.state_dict().items()}, a.out)
+            print(step, "validation", validate(average, val, a.device), flush=True)
 
 
 if __name__ == "__main__":
