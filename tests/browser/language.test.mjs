@@ -45,6 +45,8 @@ const kStates = [
     async (page) => {
       await page.keyboard.press('Escape');
       await page.keyboard.press('/');
+      await page.keyboard.type('twist'); // finds choices of a command
+      await page.getByRole('option').first().waitFor();
     },
   ],
   [

@@ -202,7 +202,7 @@ void alongChoices(Env, JsonWriter& json) {
     json.key("label").text(std::string(info.label) + ": " + std::string(label)).endObject();
   };
   for (const AlongInfo& info : alongTable()) {
-    put(info, "none", "none");
+    put(info, "none", "None");
     for (const AlongShape& shape : alongShapes()) {
       if (shape.kind == info.kind) put(info, shape.key, shape.label);
     }

@@ -556,7 +556,7 @@ export class Page {
 /** A command with its words in the visitor's language: what the search looks through. */
 function inLanguage(command: Command): Command {
   const { label, hint, argument } = command;
-  const choices = argument?.choices?.map((choice) => ({ ...choice, label: t(choice.label) }));
+  const choices = argument?.choices?.map((choice) => ({ ...choice, label: choiceText(choice.label) }));
   return {
     ...command,
     label: t(label),
@@ -564,6 +564,13 @@ function inLanguage(command: Command): Command {
     ...(argument && choices ? { argument: { ...argument, choices } } : {}),
   };
 }
+
+/** What a choice is called: a name, words, or both parts of "Twist: One turn". */
+const choiceText = (label: string): string =>
+  label
+    .split(': ')
+    .map((words) => nameText(t(words)))
+    .join(': ');
 
 /** A name that the engine gave ("Part 2") in the visitor's language; any other is what a visitor typed. */
 function nameText(name: string): string {
