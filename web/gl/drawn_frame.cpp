@@ -51,6 +51,7 @@ bool DrawnFrame::shows(const Scene& scene, const ImDrawData* panels) {
   const bool samePanels = takePanels(panels);
   const bool still = scene_.still;
   scene_.still = scene.still;
+  scene_.held = scene.held;  // the same pixels
   if (known_ && samePanels && scene_ == scene && (still || !scene.still)) {
     scene_.still = still;
     return true;

@@ -8,6 +8,9 @@ namespace spineloft::gl {
 class NullRenderer final : public Renderer {
  public:
   void beginUi() override {}
+  bool drawsOnCanvas(const Scene& scene) const override { return !slow || scene.held; }
+  bool finished() override { return !slow || last.held; }
+  void show() override { ++shown; }
   void draw(const Scene& scene) override {
     if (lost) return;
     last = scene;
@@ -28,8 +31,9 @@ class NullRenderer final : public Renderer {
   }
 
   Scene last;  ///< its mesh and image pointers are only valid right after `draw`
-  int draws = 0, fontUploads = 0;
+  int draws = 0, shown = 0, fontUploads = 0;
   bool lost = false;
+  bool slow = false;  ///< draws beside the canvas, and does not finish
 };
 
 }  // namespace spineloft::gl

@@ -73,6 +73,7 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
+  bool held = false;   ///< a hand waits for this frame
   bool operator==(const Scene&) const = default;
 };
 
@@ -81,8 +82,15 @@ class Renderer {
   virtual ~Renderer() = default;
   /// Before ImGui's new frame: makes sure its textures exist.
   virtual void beginUi() = 0;
-  /// Draws the scene and, above it, ImGui's finished draw data; nothing where the canvas shows that already.
+  /// Whether the frame will be drawn on the canvas itself, which has its pixels by then. Others are drawn beside it,
+  /// and it has their pixels when they are shown: a canvas that is still being drawn holds up the page.
+  virtual bool drawsOnCanvas(const Scene& scene) const = 0;
+  /// Draws the scene and, above it, ImGui's finished draw data; nothing where that was drawn last.
   virtual void draw(const Scene& scene) = 0;
+  /// Whether the last frame can be shown: it was drawn on the canvas, or all of it has been drawn.
+  virtual bool finished() = 0;
+  /// The canvas, with as many pixels as the last frame, shows it.
+  virtual void show() = 0;
   /// The scene's solid view, or its picture view where that is empty, as pixels of the canvas' size,
   /// smooth and without panels; the canvas stays as it is. Empty when it cannot be drawn.
   virtual image::Image snapshot(const Scene& scene) = 0;

@@ -31,10 +31,12 @@ bool StillTarget::make(int width, int height) {
   bool complete = attach(resolved_, GL_COLOR_ATTACHMENT0, pixels_);
   if (count_ > 0) {
     colour_ = makeBuffer(count_, GL_RGBA8, width, height);
-    depth_ = makeBuffer(count_, GL_DEPTH_COMPONENT24, width, height);
     samples_ = Framebuffer::make();
     complete = attach(samples_, GL_COLOR_ATTACHMENT0, colour_) && complete;
-    complete = attach(samples_, GL_DEPTH_ATTACHMENT, depth_) && complete;
+  }
+  if (depths_ == Depths::Yes) {
+    depth_ = makeBuffer(count_, GL_DEPTH_COMPONENT24, width, height);
+    complete = attach(count_ > 0 ? samples_ : resolved_, GL_DEPTH_ATTACHMENT, depth_) && complete;
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (!complete) resolved_ = Framebuffer();
@@ -43,28 +45,28 @@ bool StillTarget::make(int width, int height) {
 
 bool StillTarget::begin(int width, int height) {
   if (!make(width, height)) return false;
-  glBindFramebuffer(GL_FRAMEBUFFER, (count_ > 0 ? samples_ : resolved_).name());
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   glViewport(0, 0, width, height);
   glScissor(0, 0, width, height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   return true;
 }
 
-void StillTarget::end() {
+void StillTarget::end(GLuint next) {
   if (count_ > 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, next);
 }
 
-void StillTarget::copy(int left, int bottom) const {
+void StillTarget::copy(GLuint onto, int left, int bottom) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, onto);
   glBlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_, GL_COLOR_BUFFER_BIT,
                     GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, onto);
 }
 
 image::Image StillTarget::read() const {

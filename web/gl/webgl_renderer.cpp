@@ -12,6 +12,7 @@
 
 #include "engine/image/srgb.h"
 #include "web/gl/drawn_frame.h"
+#include "web/gl/fence.h"
 #include "web/gl/floor_shadow.h"
 #include "web/gl/handles.h"
 #include "web/gl/kept_layer.h"
@@ -90,19 +91,28 @@ class WebGlRenderer final : public Renderer {
     if (!lost_) ImGui_ImplOpenGL3_NewFrame();
   }
 
+  bool drawsOnCanvas(const Scene& scene) const override { return smoothAnyway_ || scene.held; }
+
+  bool finished() override { return lost_ || fence_.passed(); }
+
+  void show() override {
+    if (lost_ || !waits_) return;
+    waits_ = false;
+    glDisable(GL_SCISSOR_TEST);
+    frame_.copy(0, 0, 0);
+  }
+
   void draw(const Scene& scene) override {
     if (lost_ || drawn_.shows(scene, ImGui::GetDrawData())) return;
     shadow_.update(scene, meshes_, quadArray_);
     prepareLayer(scene);
     const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
     const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
     glDisable(GL_SCISSOR_TEST);
     const auto [red, green, blue] = scene.dark ? kDarkPaper : kPaper;
     glClearColor(red, green, blue, 1);
     glDepthMask(GL_TRUE);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    beginFrame(scene, width, height);
     glEnable(GL_SCISSOR_TEST);
     showPictureView(scene);
     drawThumbnails(scene);
@@ -114,6 +124,7 @@ class WebGlRenderer final : public Renderer {
       dropUnseen(*ui);
       ImGui_ImplOpenGL3_RenderDrawData(ui);
     }
+    if (waits_) fence_.set();
     meshes_.endFrame();
     textures_.endFrame();
   }
@@ -132,7 +143,7 @@ class WebGlRenderer final : public Renderer {
     } else {
       drawPictureView(scene);
     }
-    snapshot_.end();
+    snapshot_.end(0);
     return snapshot_.read();
   }
 
@@ -150,6 +161,8 @@ class WebGlRenderer final : public Renderer {
     layer_.forget();
     still_.forget();
     stillPicture_.forget();
+    frame_.forget();
+    fence_.forget();
     pictureShown_ = {};
     snapshot_.forget();
     quadArray_.forget();
@@ -163,6 +176,18 @@ class WebGlRenderer final : public Renderer {
   bool contextRestored() override { return !lost_ || build(); }
 
  private:
+  /// Clears what the frame is drawn into, and binds it.
+  void beginFrame(const Scene& scene, int width, int height) {
+    waits_ = !drawsOnCanvas(scene) && frame_.begin(width, height);
+    if (waits_) return;
+    fence_.remove();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  /// Into which the frame is drawn; 0: the canvas.
+  GLuint target() const { return waits_ ? frame_.framebuffer() : 0; }
+
   /// A rectangle of the canvas in device pixels, from its left edge and its foot.
   struct Pixels {
     int left, bottom, width, height;
@@ -231,13 +256,13 @@ class WebGlRenderer final : public Renderer {
     pictureShown_ = shown;
     if (stands && !pictureKept_ && stillPicture_.begin(view.width, view.height)) {
       drawPicture(*scene.picture, scene.pictureAt, scene.pictureView);
-      stillPicture_.end();
+      stillPicture_.end(target());
       pictureKept_ = true;
     }
     if (pictureKept_) {
       textures_.get(*scene.picture);  // stays on the GPU
       enter(scene, scene.pictureView);
-      stillPicture_.copy(view.left, view.bottom);
+      stillPicture_.copy(target(), view.left, view.bottom);
     } else {
       drawPictureView(scene);
     }
@@ -299,11 +324,11 @@ class WebGlRenderer final : public Renderer {
       return;
     } else {
       drawSolids(scene);
-      still_.end();
+      still_.end(target());
       stillScene_ = scene;
     }
     enter(scene, scene.solidView);
-    still_.copy(view.left, view.bottom);
+    still_.copy(target(), view.left, view.bottom);
   }
 
   void drawMovingView(const Scene& scene) {
@@ -406,11 +431,15 @@ class WebGlRenderer final : public Renderer {
   FloorShadow shadow_;
   KeptLayer layer_;
   bool layered_ = false;  ///< this frame takes from the layer what stays as it is
-  StillTarget still_{kSamples}, snapshot_{kSamples}, stillPicture_{0};
-  Scene stillScene_;           ///< whose solid view `still_` shows; what it points to may be gone
-  PictureShown pictureShown_;  ///< in the last frame
-  bool pictureKept_ = false;   ///< `stillPicture_` has it
-  bool smoothAnyway_ = false;  ///< the canvas itself is multisampled
+  StillTarget still_{kSamples, StillTarget::Depths::Yes}, snapshot_{kSamples, StillTarget::Depths::Yes},
+      stillPicture_{0, StillTarget::Depths::No};
+  StillTarget frame_{0, StillTarget::Depths::Yes};  ///< where a processor draws: the canvas is given finished frames
+  Fence fence_;                                     ///< behind the last frame of those
+  bool waits_ = false;                              ///< the last frame was drawn there, and is not on the canvas
+  Scene stillScene_;                                ///< whose solid view `still_` shows; what it points to may be gone
+  PictureShown pictureShown_;                       ///< in the last frame
+  bool pictureKept_ = false;                        ///< `stillPicture_` has it
+  bool smoothAnyway_ = false;                       ///< the canvas itself is multisampled, and drawn on
   VertexArray quadArray_;
   Buffer quad_;
   MeshStore meshes_;

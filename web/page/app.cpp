@@ -170,6 +170,7 @@ void App::runCalls() {
 void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
 
 void App::frame() {
+  if (!showFrame() && !gestures_.active()) return host_.requestFrame();
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
@@ -203,11 +204,14 @@ void App::drawFrame() {
   if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);
-  scene_.dpr = density_;
+  scene_.dpr = pixels_.dpr;
   thumbnails_.addTo(scene_, studio_.document(), studio_.derived(), ui_);
   scene_.still = !moving() && !studio_.busy() && !gestures_.active() && framesWanted_ == 0 && handRests();
   awaitRest();
+  if (renderer_->drawsOnCanvas(scene_)) host_.setPixels(pixels_);
   renderer_->draw(scene_);
+  shown_ = false;
+  if (!showFrame()) host_.requestFrame();
   partPictures_.forgetUnused();
   ++frames_;
 }
@@ -251,7 +255,7 @@ void App::beginUi() {
   const double now = host_.nowMs();
   io.DisplaySize = {static_cast<float>(ui_.canvasWidth), static_cast<float>(ui_.canvasHeight)};
   chooseDensity();
-  io.DisplayFramebufferScale = {static_cast<float>(density_), static_cast<float>(density_)};
+  io.DisplayFramebufferScale = {static_cast<float>(pixels_.dpr), static_cast<float>(pixels_.dpr)};
   io.DeltaTime = static_cast<float>(std::clamp((now - lastFrameMs_) / 1000, 1e-4, kLongestStepSeconds));
   lastFrameMs_ = now;
   workAsked();
@@ -509,7 +513,7 @@ Vec2<platform::CanvasSpace> App::imageToCanvas(double x, double y) {
 }
 
 void App::contextLost() {
-  lost_ = true;
+  lost_ = shown_ = true;
   gestures_.cancel(toolEnv());
   renderer_->contextLost();
 }
@@ -530,7 +534,7 @@ void App::answer(std::string_view id, std::string_view text) {
 }
 
 bool App::idle() {
-  return !studio_.busy() && framesWanted_ == 0 && !restPending_ && !ui_.flight &&
+  return !studio_.busy() && framesWanted_ == 0 && shown_ && !restPending_ && !ui_.flight &&
          !(ui_.preview && !ui_.preview->settled());
 }
 

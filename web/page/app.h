@@ -103,6 +103,7 @@ class App final : public platform::Page, Hand {
   void workAsked();
   void makeFonts();
   void chooseDensity();
+  bool showFrame();
   bool handRests() const;
   void awaitRest();
   void drawFrame();
@@ -148,9 +149,10 @@ class App final : public platform::Page, Hand {
   int framesWanted_ = 0;
   double handMovedMs_ = 0;
   ClientPoint pressedAt_;
-  bool handMoves_ = false;    ///< farther from there than a press that means to stay
-  bool restPending_ = false;  ///< a wake is asked for when the hand rests
-  double density_ = 1;        ///< device pixels a CSS pixel of the frame that is drawn
+  bool handMoves_ = false;       ///< farther from there than a press that means to stay
+  bool restPending_ = false;     ///< a wake is asked for when the hand rests
+  platform::CanvasSize pixels_;  ///< of the frame that is drawn
+  bool shown_ = true;            ///< the last frame is on the canvas
   bool wakePending_ = false, tooltipPending_ = false;
   bool overPanels_ = false;  ///< the last pointer event was for ImGui
   bool lost_ = false;

@@ -45,14 +45,24 @@ void App::warmUp() {
 void App::chooseDensity() {
   const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   const bool flies = moving() && !studio_.works() && !ui_.preview, inHand = gestures_.active() || dragsControl;
+  scene_.held = inHand;
   platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
   if (host_.drawsSlowly() && (flies || (inHand && handMoves_ && !handRests()))) {
     const auto pixels = [&](double dpr) { return size.width * size.height * dpr * dpr; };
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
   }
-  host_.setPixels(size);
-  density_ = size.dpr;
+  pixels_ = size;
+}
+
+/// The last frame comes onto the canvas as soon as all of it has been drawn; false: it has not.
+bool App::showFrame() {
+  if (shown_ || lost_) return true;
+  if (!renderer_->finished()) return false;
+  host_.setPixels(pixels_);
+  renderer_->show();
+  shown_ = true;
+  return true;
 }
 
 /// The hand has not moved for a while, or frames are so quick that they need not wait for that: then one may take

@@ -61,6 +61,41 @@ TEST_CASE("a press that moves nothing shows no coarser frame") {
   CHECK(rig.gl->last.dpr == 1);
 }
 
+TEST_CASE("a frame that a processor still draws is not shown, no other is begun, and the page is not idle") {
+  Turned turned(true);
+  Rig& rig = turned.rig;
+  rig.pointer(PointerKind::Up, 810, 350);
+  rig.gl->slow = true;
+  const int draws = rig.gl->draws, shown = rig.gl->shown;
+  rig.app->frame();
+  rig.host.frameAsked = false;
+  rig.app->frame();
+  CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.gl->shown == shown);
+  CHECK(rig.host.canvas.dpr == 2.0 / 3);  // of the frame before: with other pixels it would be blank
+  CHECK(rig.host.frameAsked);
+  CHECK_FALSE(rig.app->idle());
+  rig.gl->slow = false;
+  rig.settle();
+  CHECK(rig.gl->shown > shown);
+  CHECK(rig.host.canvas.dpr == 1);
+  CHECK(rig.app->idle());
+}
+
+TEST_CASE("a hand does not wait for a frame that is still drawn: its own comes onto the canvas at once") {
+  Turned turned(true);
+  Rig& rig = turned.rig;
+  rig.pointer(PointerKind::Up, 810, 350);
+  rig.gl->slow = true;
+  rig.app->frame();
+  const int draws = rig.gl->draws, shown = rig.gl->shown;
+  rig.pointer(PointerKind::Down, 820, 350);
+  turn(rig, 840);
+  CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.gl->last.held);
+  CHECK(rig.gl->shown == shown + 1);
+}
+
 TEST_CASE("where a graphics card draws, frames have all their pixels, and the last one does not wait") {
   Turned turned(false);
   Rig& rig = turned.rig;
