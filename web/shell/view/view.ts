@@ -16,6 +16,9 @@ const likesCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const canvas = byId<HTMLCanvasElement>('canvas');
 const spinButton = byId('spin');
 
+/** What the engine calls a model that has no name yet. */
+const kUnnamed = 'Model';
+
 const moduleAt = <T>(path: string): Promise<T> => import(new URL(path, document.baseURI).href) as Promise<T>;
 
 function tell(news: News): void {
@@ -150,8 +153,9 @@ class Viewer {
 
   private shown(name: string, own: string | null): void {
     document.body.dataset.state = 'shown';
-    byId('name').textContent = name;
-    if (name) document.title = `${name} · SpineLoft`;
+    const called = name === kUnnamed ? t(name) : name;
+    byId('name').textContent = called;
+    if (called) document.title = `${called} · SpineLoft`;
     byId('tools').hidden = false;
     this.offer(own);
     if (!likesCalm) this.stage?.spin(true);
