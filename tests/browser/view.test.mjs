@@ -143,6 +143,17 @@ test('a link shows the model first and touches nothing; "Make it mine" opens a c
     await other.close();
   }));
 
+test('a model without a name is called so in the language of who opens its link', () =>
+  visit(
+    model.url,
+    async (page) => {
+      await shown(page);
+      assert.equal(await page.locator('#name').innerText(), 'Modell');
+      assert.equal(await page.title(), 'Modell · SpineLoft');
+    },
+    { locale: 'de' },
+  ));
+
 test('a link that is cut off, altered, of a later version or none says which, and offers the page', async () => {
   const { text, url } = model;
   const start = url.slice(0, -text.length);

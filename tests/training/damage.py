@@ -132,7 +132,7 @@ def bites(r, picture, ground, mask, outline, width):
     return taken > 127
 
 
-CLEAN_SHARE = 0.12  # of pictures that no camera took: flat colours, no noise
+CLEAN_SHARE = 0.12  # of the pictures to which a camera adds nothing: no blur and no noise
 
 
 def camera(r, picture):

@@ -197,7 +197,9 @@ if __name__ == "__main__":
     say.add_argument("--reserved", type=Path, help="with --cases: makes the list anew, without these files")
     say.add_argument("--cases", type=Path, help="folder of cases no photo may share a picture with")
     given = say.parse_args()
+    if (given.reserved is None) != (given.cases is None):
+        say.error("--reserved and --cases are given together: the list is made anew with both")
     unpack(given.packages, bank_folder() / "packages")
-    if given.reserved and given.cases:
+    if given.reserved:
         make_list(given.reserved, given.cases)
     fill()

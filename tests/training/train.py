@@ -15,7 +15,7 @@ import torch
 import torch.nn.functional as F
 
 from export import read_weights
-from model import CHANNELS, COARSE, FINE, Net
+from model import CHANNELS, Net
 
 REACHED = 14
 
@@ -177,8 +177,6 @@ def main():
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--start", help="a weights file to begin with")
     p.add_argument("--peak", type=float, default=3e-3)
-    p.add_argument("--fine", type=int, default=FINE)
-    p.add_argument("--coarse", type=int, default=COARSE)
     p.add_argument("--device", default="cpu")
     p.add_argument("--readers", type=int, default=1, help="threads that read strips")
     p.add_argument("--threads", type=int, default=1)
@@ -186,7 +184,7 @@ def main():
     torch.set_num_threads(a.threads)
     torch.manual_seed(a.seed)
     rng = torch.Generator(a.device).manual_seed(a.seed)
-    net = Net(a.fine, a.coarse)
+    net = Net()
     if a.start:
         read_weights(net, a.start)
     net = net.to(a.device, memory_format=torch.channels_last)
