@@ -1,11 +1,6 @@
 #include "engine/document/action.h"
 
-namespace spineloft::document {
+#include "engine/base/one_of_members.h"
 
-Action::Action(const Action&) = default;
-Action::Action(Action&&) noexcept = default;
-Action& Action::operator=(const Action&) = default;
-Action& Action::operator=(Action&&) noexcept = default;
-Action::~Action() = default;
-
-}  // namespace spineloft::document
+template struct spineloft::OneOf<spineloft::document::AnyAction>;
+template struct spineloft::Movers<spineloft::document::AnyAction>;

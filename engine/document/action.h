@@ -1,15 +1,13 @@
 // Everything a person can do to a document, as values. Each is a verb of intent.
 #pragma once
 
-#include <concepts>
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
+#include "engine/base/one_of.h"
 #include "engine/document/document.h"
 
 namespace spineloft::document {
@@ -328,16 +326,8 @@ using AnyAction =
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
                  CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece, SetSide>;
-/// One of them; as Recipe, how it is copied and taken apart stands in action.cpp alone.
-struct Action : AnyAction {
-  template <class A>
-    requires(!std::same_as<std::remove_cvref_t<A>, Action> && std::constructible_from<AnyAction, A>)
-  Action(A&& action) : AnyAction(std::forward<A>(action)) {}
-  Action(const Action& other);
-  Action(Action&& other) noexcept;
-  Action& operator=(const Action& other);
-  Action& operator=(Action&& other) noexcept;
-  ~Action();
-};
+using Action = OneOf<AnyAction>;
 
 }  // namespace spineloft::document
+
+extern template struct spineloft::OneOf<spineloft::document::AnyAction>;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/hash.h"
+#include "engine/base/one_of_members.h"
 
 namespace spineloft::document {
 namespace {
@@ -129,14 +130,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount
 
 }  // namespace
 
-Recipe::Recipe() = default;
-Recipe::Recipe(const Recipe&) = default;
-Recipe::Recipe(Recipe&&) noexcept = default;
-Recipe& Recipe::operator=(const Recipe&) = default;
-Recipe& Recipe::operator=(Recipe&&) noexcept = default;
-Recipe::~Recipe() = default;
-bool Recipe::operator==(const Recipe& other) const {
-  return static_cast<const AnyRecipe&>(*this) == static_cast<const AnyRecipe&>(other);
+bool operator==(const Recipe& a, const Recipe& b) {
+  return static_cast<const AnyRecipe&>(a) == static_cast<const AnyRecipe&>(b);
 }
 
 std::string_view kindKey(PartKind kind) {
@@ -313,3 +308,6 @@ std::uint64_t contentHash(image::Size size, std::span<const Box<image::SketchStr
 }
 
 }  // namespace spineloft::document
+
+template struct spineloft::OneOf<spineloft::document::AnyRecipe>;
+template struct spineloft::Movers<spineloft::document::AnyRecipe>;

@@ -3,19 +3,18 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "engine/base/box.h"
 #include "engine/base/ids.h"
+#include "engine/base/one_of.h"
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
@@ -155,20 +154,8 @@ using AnyRecipe =
     std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe, ElementRecipe>;
 enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, Element, kCount };
 static_assert(std::variant_size_v<AnyRecipe> == static_cast<std::size_t>(PartKind::kCount));
-/// One of them. How it is copied, compared and taken apart stands in document.cpp alone: every file that has one would
-/// be compiled for seconds otherwise.
-struct Recipe : AnyRecipe {
-  Recipe();
-  template <class R>
-    requires(!std::same_as<std::remove_cvref_t<R>, Recipe> && std::constructible_from<AnyRecipe, R>)
-  Recipe(R&& recipe) : AnyRecipe(std::forward<R>(recipe)) {}
-  Recipe(const Recipe& other);
-  Recipe(Recipe&& other) noexcept;
-  Recipe& operator=(const Recipe& other);
-  Recipe& operator=(Recipe&& other) noexcept;
-  ~Recipe();
-  bool operator==(const Recipe& other) const;
-};
+using Recipe = OneOf<AnyRecipe>;
+bool operator==(const Recipe& a, const Recipe& b);
 
 struct Part {
   PartId id;
@@ -275,3 +262,5 @@ std::uint64_t contentHash(const image::Picture& picture);
 std::uint64_t contentHash(image::Size size, std::span<const Box<image::SketchStroke>> sketch);
 
 }  // namespace spineloft::document
+
+extern template struct spineloft::OneOf<spineloft::document::AnyRecipe>;
