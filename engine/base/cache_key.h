@@ -19,7 +19,8 @@ using IgnoredKey = CacheKey<struct IgnoredKeyTag>;    ///< of ignored edges
 using TraceKey = CacheKey<struct TraceKeyTag>;        ///< of spine and generated ribs
 using InteriorKey = CacheKey<struct InteriorKeyTag>;  ///< of the skeleton and the fields of a puff
 using DrawingKey = CacheKey<struct DrawingKeyTag>;    ///< of a line drawing with its pieces, solved
-using ShapeKey = CacheKey<struct ShapeKeyTag>;        ///< of a part's mesh and texture
+using ShapeKey = CacheKey<struct ShapeKeyTag>;        ///< of a part's mesh
+using TextureKey = CacheKey<struct TextureKeyTag>;    ///< of a part's texture
 using SolidKey = CacheKey<struct SolidKeyTag>;        ///< of what the solver makes
 
 }  // namespace spineloft

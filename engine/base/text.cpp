@@ -1,5 +1,7 @@
 #include "engine/base/text.h"
 
+#include <cstdio>
+
 namespace spineloft {
 
 std::size_t utf8CharacterAt(std::string_view text, std::size_t at) {
@@ -29,6 +31,12 @@ std::string validUtf8(std::string text) {
     if (length == 0) text[at] = '?';
     at += length == 0 ? 1 : length;
   }
+  return text;
+}
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 

@@ -14,4 +14,7 @@ std::size_t utf8CharacterAt(std::string_view text, std::size_t at);
 /// The text with every byte that is not part of valid UTF-8 replaced by '?'.
 std::string validUtf8(std::string text);
 
+/// As people write a number: at most six digits, no zeros at the end ("0.05", "4").
+std::string shortNumber(double value);
+
 }  // namespace spineloft

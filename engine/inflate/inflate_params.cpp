@@ -1,22 +1,17 @@
 #include "engine/inflate/inflate_params.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <vector>
+
+#include "engine/base/text.h"
 
 namespace spineloft::inflate {
 namespace {
 
-std::string textOf(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
-
 Status inRange(const char* what, double value, double least, double most) {
   if (value >= least && value <= most) return Done{};
-  return {Error::ValueOutOfRange, std::string(what) + " must be " + textOf(least) + " … " + textOf(most)};
+  return {Error::ValueOutOfRange, std::string(what) + " must be " + shortNumber(least) + " … " + shortNumber(most)};
 }
 
 /// The first one that is none.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <new>
 #include <set>
 
+#include "engine/base/text.h"
 #include "engine/document/checks.h"
 #include "engine/document/params.h"
 #include "engine/document/pieces.h"
@@ -52,12 +52,6 @@ void mend(bool right, T& value, T sound, ReadNotes& notes) {
   if (right) return;
   value = std::move(sound);
   ++notes.repaired;
-}
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
 }
 
 /// Says what is wrong and what to do: "That outline is too small to make a part of: draw a larger one …".

@@ -56,10 +56,23 @@ void Cache::keepShape(std::shared_ptr<const PartShape> shape) {
   shapes_.push_back({std::move(shape), round_, bytes});
 }
 
-std::shared_ptr<const PartShape> Cache::assignTextures(ShapeKey key,
-                                                       std::shared_ptr<const surface::PartTexture> texture) {
+std::shared_ptr<const PartShape> Cache::wantTexture(ShapeKey key, TextureKey wanted) {
   for (ShapeSlot& slot : shapes_) {
     if (slot.shape->key != key) continue;
+    if (slot.shape->wantedTexture != wanted) {
+      auto wanting = std::make_shared<PartShape>(*slot.shape);
+      wanting->wantedTexture = wanted;
+      slot.shape = std::move(wanting);
+    }
+    return slot.shape;
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const PartShape> Cache::assignTexture(TextureKey key,
+                                                      std::shared_ptr<const surface::PartTexture> texture) {
+  for (ShapeSlot& slot : shapes_) {
+    if (slot.shape->wantedTexture != key) continue;
     auto textured = std::make_shared<PartShape>(*slot.shape);
     textured->texture = std::move(texture);
     textured->textureKey = key;

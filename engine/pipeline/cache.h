@@ -76,9 +76,12 @@ class Cache {
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
-  /// The shape of that key, with its texture now (null: there is nothing to see of it). Null when the shape
-  /// is not known any more.
-  std::shared_ptr<const PartShape> assignTextures(ShapeKey key, std::shared_ptr<const surface::PartTexture> texture);
+  /// The shape of that key, which is to have this texture. It keeps the one that it has until then. Null when the
+  /// shape is not known any more.
+  std::shared_ptr<const PartShape> wantTexture(ShapeKey key, TextureKey wanted);
+  /// The shape that wants the texture of that key, with it (null: there is nothing to see of it). Null when none does
+  /// any more.
+  std::shared_ptr<const PartShape> assignTexture(TextureKey key, std::shared_ptr<const surface::PartTexture> texture);
   /// A round is one `derive`. Keeps the shapes of the last kKeptRounds rounds, so that undo and redo
   /// find theirs, as far as they fit into kShapeBytes, and the edges in `usedEdges`.
   void endRound(const std::vector<std::uint64_t>& usedEdges);

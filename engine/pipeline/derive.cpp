@@ -156,16 +156,31 @@ const image::Picture* pixelsOf(const document::Document& document, const Derived
 
 namespace {
 
-// What may cover a part: scribbles of its picture, the ink of its outline, its own scribbles.
+// The ink that does not show on a part of that picture: of its own outline, and of those of other parts, which would
+// cross it as bands. Pictures of equal content are one, as they are to the keys of shapes.
+std::vector<ribs::IgnoreMark> inkOver(const document::Document& document, const Derived& derived, std::size_t number,
+                                      const document::PictureEntry& entry) {
+  std::vector<ribs::IgnoreMark> ink;
+  if (!entry.isSketch() || document.parts[number]->look.inked) return ink;
+  for (std::size_t i = 0; i < derived.parts.size(); ++i) {
+    const std::shared_ptr<const PartShape>& other = derived.parts[i].shape;
+    const document::PictureEntry* drawnOn = findPicture(document, pictureOf(document.parts[i]));
+    if (!other || drawnOn == nullptr || drawnOn->contentHash != entry.contentHash) continue;
+    addInkUpon(*derived.parts[number].shape, entry.size, other->outlineInk, ink);
+  }
+  return ink;
+}
+
+// What may cover a part: ink of outlines, scribbles of its picture, its own scribbles.
 struct MarksOver {
   std::vector<ribs::IgnoreMark> ofPicture;
   std::span<const ribs::IgnoreMark> own;
   std::array<std::span<const ribs::IgnoreMark>, 2> spans() const { return {ofPicture, own}; }
 };
-MarksOver marksOver(const document::Part& part, const PartShape& shape, const document::PictureEntry& entry) {
+MarksOver marksOver(const document::Part& part, std::vector<ribs::IgnoreMark> ink,
+                    const document::PictureEntry& entry) {
   const auto* loft = std::get_if<document::LoftRecipe>(&part.recipe);
-  MarksOver marks{part.look.inked ? std::vector<ribs::IgnoreMark>{} : outlineInk(shape, entry),
-                  loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
+  MarksOver marks{std::move(ink), loft ? std::span(loft->ignored) : std::span<const ribs::IgnoreMark>{}};
   marks.ofPicture.insert(marks.ofPicture.end(), entry.ignored.begin(), entry.ignored.end());
   return marks;
 }
@@ -177,22 +192,33 @@ bool standsBefore(const Derived& derived, std::size_t number) {
                      [&](const DerivedPart& other) { return other.shape && other.shape->key == key; });
 }
 
-// Makes the texture of one part that wants one, or puts it down as wanting one.
-void assignTextures(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
-                    Derived& derived) {
-  const std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
-  if (!shape || isTextureKnown(*shape)) return;
+// Whether parts of that picture wait for its edges: their outlines are not known yet.
+bool waitsFor(const document::Document& document, const Derived& derived, PictureId picture) {
+  for (std::size_t i = 0; i < derived.parts.size(); ++i) {
+    if (derived.parts[i].waiting && pictureOf(document.parts[i]) == picture) return true;
+  }
+  return false;
+}
+
+// Makes the texture of one part that wants one, or puts it down as wanting one. All shapes are known.
+void assignTexture(const document::Document& document, std::size_t number, Cache& cache, Finish finish,
+                   Derived& derived) {
+  std::shared_ptr<const PartShape>& shape = derived.parts[number].shape;
   const document::Part& part = document.parts[number];
+  const document::PictureEntry* entry = findPicture(document, pictureOf(part));
+  if (!shape || entry == nullptr) return;
+  if (finish == Finish::Later && waitsFor(document, derived, entry->id)) return;
+  std::vector<ribs::IgnoreMark> ink = inkOver(document, derived, number, *entry);
+  const TextureKey key = textureKey(shape->key, ink);
+  shape = cache.wantTexture(shape->key, key);
+  if (isTextureKnown(*shape)) return;
   if (finish == Finish::Later) {
     if (!standsBefore(derived, number)) derived.wantedTextures.push_back(part.id);
     return;
   }
-  const document::PictureEntry* entry = findPicture(document, pictureOf(part));
   const image::Picture* pixels = pixelsOf(document, derived, pictureOf(part));
-  if (entry == nullptr) return;
-  const MarksOver marks = marksOver(part, *shape, *entry);
-  derived.parts[number].shape =
-      cache.assignTextures(shape->key, pixels ? textureStage(*shape, *pixels, marks.spans()) : nullptr);
+  const MarksOver marks = marksOver(part, std::move(ink), *entry);
+  shape = cache.assignTexture(key, pixels ? textureStage(*shape, *pixels, marks.spans()) : nullptr);
 }
 
 }  // namespace
@@ -203,10 +229,12 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
   if (part == nullptr || at == derived.parts.end() || !at->shape) return nullptr;
   const document::PictureEntry* entry = findPicture(document, pictureOf(*part));
   const std::size_t count = std::min(document.pictures.size(), derived.pictures.size());
+  const auto number = static_cast<std::size_t>(at - derived.parts.begin());
   for (std::size_t i = 0; entry != nullptr && i < count; ++i) {
     if (document.pictures[i]->id != entry->id || !derived.pictures[i]) continue;
     try {
-      return std::make_shared<TextureJob>(at->shape, derived.pictures[i], marksOver(*part, *at->shape, *entry).spans());
+      const MarksOver marks = marksOver(*part, inkOver(document, derived, number, *entry), *entry);
+      return std::make_shared<TextureJob>(at->shape, derived.pictures[i], marks.spans());
     } catch (const std::bad_alloc&) {
       return nullptr;
     }
@@ -228,6 +256,7 @@ DerivedPart derivePart(const document::Document& document, const document::Part&
     const Status made = shapeOf({part.recipe, entry, document, part.id}, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
       shape.key = key;
+      shape.outlineInk = outlineInk(shape, entry);
       result.shape = std::make_shared<const PartShape>(std::move(shape));
       cache.keepShape(result.shape);
     } else {
@@ -257,8 +286,8 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     const document::PictureEntry* entry = findPicture(document, pictureOf(part));
     derived.parts.push_back(entry ? derivePart(document, part, *entry, cache, clock)
                                   : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false});
-    assignTextures(document, derived.parts.size() - 1, cache, finish, derived);
   }
+  for (std::size_t i = 0; i < derived.parts.size(); ++i) assignTexture(document, i, cache, finish, derived);
   cache.endRound(usedEdges);
   return derived;
 }

@@ -229,6 +229,13 @@ TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEnt
   return TraceKey{hasher.value()};
 }
 
+TextureKey textureKey(ShapeKey shape, const std::vector<ribs::IgnoreMark>& ink) {
+  Hasher hasher;
+  hasher.text("texture").number(shape.hash);
+  mix(hasher, ink);
+  return TextureKey{hasher.value()};
+}
+
 ShapeKey shapeKey(const document::LoftRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [picture, stroke, spine, ribs, edits, ignored, pose, loft, side] = recipe;
   Hasher hasher;

@@ -18,7 +18,10 @@ TraceKey traceKey(const document::LoftRecipe& recipe, const document::PictureEnt
 /// Of a line drawing with its pieces; names are no part of it.
 DrawingKey drawingKey(const descriptive::Drawing& drawing);
 
-/// Of a whole shape of any kind, with its texture.
+/// Of the texture of a part of that shape, on which so much ink does not show (outline_ink.h).
+TextureKey textureKey(ShapeKey shape, const std::vector<ribs::IgnoreMark>& ink);
+
+/// Of a whole shape of any kind, and of what its picture and its recipe say of its texture.
 /// `entry`: the part's own picture, one of the document's, which says how others look at it.
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document);
 ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,

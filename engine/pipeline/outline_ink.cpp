@@ -51,6 +51,28 @@ void addStretches(const image::SketchStroke& stroke, const std::vector<Line>& ou
   finish();
 }
 
+/// Upright, in picture pixels.
+struct Extent {
+  PicturePoint least, most;
+  bool reaches(PicturePoint p, double radius) const {
+    return p.x >= least.x - radius && p.x <= most.x + radius && p.y >= least.y - radius && p.y <= most.y + radius;
+  }
+};
+
+Extent shownOf(const mesh::TriMesh& mesh, image::Size picture) {
+  float left = 1, top = 1, right = 0, bottom = 0;
+  for (const auto& [u, v] : mesh.uv) {
+    left = std::min(left, u);
+    right = std::max(right, u);
+    top = std::min(top, v);
+    bottom = std::max(bottom, v);
+  }
+  const auto at = [&](float u, float v) {
+    return PicturePoint{static_cast<double>(u) * picture.width, static_cast<double>(v) * picture.height};
+  };
+  return {at(left, top), at(right, bottom)};
+}
+
 }  // namespace
 
 std::vector<ribs::IgnoreMark> outlineInk(const PartShape& shape, const document::PictureEntry& entry) {
@@ -63,6 +85,16 @@ std::vector<ribs::IgnoreMark> outlineInk(const PartShape& shape, const document:
     if (!ink.erase) addStretches(ink, outlines, beside, out);
   }
   return out;
+}
+
+void addInkUpon(const PartShape& shape, image::Size picture, std::span<const ribs::IgnoreMark> ink,
+                std::vector<ribs::IgnoreMark>& out) {
+  if (ink.empty()) return;
+  const Extent shown = shownOf(shape.mesh, picture);
+  for (const ribs::IgnoreMark& mark : ink) {
+    const auto reaches = [&](PicturePoint p) { return shown.reaches(p, mark.radius); };
+    if (std::ranges::any_of(mark.stroke, reaches)) out.push_back(mark);
+  }
 }
 
 }  // namespace spineloft::pipeline

@@ -1,6 +1,7 @@
-// The ink of a part's own outline, which is no part of its surface.
+// The ink of outlines, which is no part of any surface.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/document/document.h"
@@ -13,5 +14,10 @@ namespace spineloft::pipeline {
 /// draws the outline of a thing draws where it ends, and the thing is not black there. Strokes, and what of them leads
 /// into the part or away from it, stay. None on a photo. Picture pixels; O(points of the strokes × of the outline).
 std::vector<ribs::IgnoreMark> outlineInk(const PartShape& shape, const document::PictureEntry& entry);
+
+/// Adds those of the marks, of another part's outline or its own, that reach the stretch of a picture of that size
+/// which the part shows. O(vertices + points of the marks).
+void addInkUpon(const PartShape& shape, image::Size picture, std::span<const ribs::IgnoreMark> ink,
+                std::vector<ribs::IgnoreMark>& out);
 
 }  // namespace spineloft::pipeline

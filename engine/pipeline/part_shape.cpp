@@ -45,7 +45,9 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.contours.clear();
   shape.mesh = memory.mesh;
   shape.texture.reset();
-  shape.textureKey = shape.key = {};
+  shape.textureKey = shape.wantedTexture = {};
+  shape.outlineInk.clear();
+  shape.key = {};
   shape.quality = traced.quality;
   shape.ms = {};
   shape.ms.loft = lofted - ready;
@@ -64,8 +66,14 @@ std::size_t bytesOf(const PartShape& shape) {
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
          bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
-         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) +
+         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) +
          (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+}
+
+std::size_t bytesOf(const std::vector<ribs::IgnoreMark>& marks) {
+  std::size_t bytes = 0;
+  for (const ribs::IgnoreMark& mark : marks) bytes += sizeof(mark) + mark.stroke.size() * sizeof(PicturePoint);
+  return bytes;
 }
 
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored) {

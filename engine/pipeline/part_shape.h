@@ -62,21 +62,24 @@ struct PartShape {
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
-  /// Equals `key` once its texture is known. Before that none, or the key of the earlier shape of the part whose
-  /// texture is shown in the meantime.
-  ShapeKey textureKey;
+  TextureKey textureKey;                       ///< of `texture`; none before the first
+  TextureKey wantedTexture;                    ///< of the one that it is to have; none in previews
+  std::vector<ribs::IgnoreMark> outlineInk;    ///< the ink along its outline (outline_ink.h); none in previews
   TraceQuality quality = TraceQuality::Final;  ///< of its ribs; what has none is as final
   ShapeKey key;                                ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;                                  ///< times of its ribs and loft stages; what was known already took none
 };
 
-/// Whether its texture, or that there is none, is known.
-inline bool isTextureKnown(const PartShape& shape) { return shape.key && shape.textureKey == shape.key; }
+/// Whether its texture, or that there is none, is known. Until it is, `texture` is an earlier one or null.
+inline bool isTextureKnown(const PartShape& shape) {
+  return shape.wantedTexture && shape.textureKey == shape.wantedTexture;
+}
 
 /// Memory that they take, about.
 std::size_t bytesOf(const TracedRibs& traced);
 std::size_t bytesOf(const PartShape& shape);
 std::size_t bytesOf(const ribs::IgnoredEdges& ignored);
+std::size_t bytesOf(const std::vector<ribs::IgnoreMark>& marks);
 
 /// Before the ribs: what the marks of picture and part leave of the edges. Errors: OutOfMemory.
 Result<ribs::IgnoredEdges> ignoredStage(const image::EdgeMap& edges, std::span<const ribs::IgnoreMark> ofPicture,

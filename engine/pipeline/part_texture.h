@@ -23,14 +23,14 @@ std::shared_ptr<const surface::PartTexture> textureStage(const PartShape& shape,
 /// The same in steps (surface::TextureSteps), on any thread: it holds what it is made from.
 class TextureJob {
  public:
+  /// Of the texture that the shape wants.
   TextureJob(std::shared_ptr<const PartShape> shape, std::shared_ptr<const image::Picture> pixels,
              std::array<std::span<const ribs::IgnoreMark>, 2> marks);
   /// The next step. False: it was the last.
   bool step();
   /// After the last.
   std::shared_ptr<const surface::PartTexture> texture() const { return made_; }
-  /// shapeKey of the shape.
-  ShapeKey key() const { return shape_->key; }
+  TextureKey key() const { return shape_->wantedTexture; }
 
  private:
   std::shared_ptr<const PartShape> shape_;

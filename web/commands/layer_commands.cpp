@@ -251,7 +251,7 @@ Outcome bumpsRow(Env env, const Json& args) {
     rough.size = args.number("size").value_or(rough.size);
     rough.keepDrawn = args.flag("keepDrawn").value_or(rough.keepDrawn);
     const double seed = args.number("seed").value_or(rough.seed);
-    if (!(seed >= 0 && seed <= 0xffffffff)) return {Error::ValueOutOfRange, "seed"};
+    if (!(seed >= 0 && seed <= 0xffffffff && std::floor(seed) == seed)) return {Error::ValueOutOfRange, "seed"};
     rough.seed = static_cast<std::uint32_t>(seed);
     return withBumps(layers, rough);
   });

@@ -34,7 +34,7 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
       textures_(
           pool_,
           [this](const pipeline::TextureJob& job) {
-            cache_.assignTextures(job.key(), job.texture());
+            cache_.assignTexture(job.key(), job.texture());
             stale_ = true;
           },
           [this] { stale_ = true; }) {}

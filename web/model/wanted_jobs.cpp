@@ -24,15 +24,15 @@ std::vector<TextureWork::Wanted> wantedTextures(const document::Document& docume
   for (const PartId id : derived.wantedTextures) {
     const auto part = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
     if (part == derived.parts.end() || !part->shape || isTextureKnown(*part->shape)) continue;
-    wanted.push_back(
-        {part->shape->key, [&document, &derived, id] { return pipeline::makeTexture(document, derived, id); }});
+    wanted.push_back({part->shape->wantedTexture,
+                      [&document, &derived, id] { return pipeline::makeTexture(document, derived, id); }});
   }
   return wanted;
 }
 
 void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now) {
   for (pipeline::DerivedPart& part : now.parts) {
-    if (!part.shape || !part.shape->key || isTextureKnown(*part.shape)) continue;
+    if (!part.shape || part.shape->texture || isTextureKnown(*part.shape)) continue;
     const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
     if (was == before.parts.end() || !was->shape || !was->shape->texture) continue;
     if (!liesOn(part.shape->mesh, was->shape->texture->area)) continue;

@@ -68,6 +68,44 @@ TEST_CASE("the ink of a part's outline is not on it, wherever in the line the ou
   }
 }
 
+TEST_CASE("the ink of another part's outline is on no part, whichever was made first") {
+  const PicturePoint beside = kMiddle + PicturePoint{kRadius, 0};
+  const auto around = [&](double radius) {
+    std::vector<PicturePoint> line = ring(radius);
+    for (PicturePoint& p : line) p = p + (beside - kMiddle);
+    return line;
+  };
+  const Document alone = drawn({ring(kRadius), around(60)}, kRadius);
+  CHECK(darkest(*shapeOf(alone)) < 80);
+  Region region;
+  region.picture = PictureId{1};
+  region.contours = {around(60)};
+  const Document both = update(alone, DrawRegion{region, inflate::InflateParams{}, {}}).value();
+  pipeline::Cache cache;
+  const auto parts = pipeline::deriveWithEdges(both, cache, {}).value().parts;
+  for (const pipeline::DerivedPart& part : parts) CHECK(darkest(*part.shape) > 200);
+
+  // One that was known takes its own back when the other goes.
+  const auto left = pipeline::derive(update(both, DeletePart{PartId{2}}).value(), cache).parts;
+  CHECK(*left[0].shape->texture == *shapeOf(alone)->texture);
+  CHECK(left[0].shape->key == parts[0].shape->key);
+}
+
+TEST_CASE("what another part is beside its outline, and how it looks, asks for no new texture") {
+  Document document = drawn({ring(kRadius), ring(kRadius / 3)}, kRadius);
+  Region region;
+  region.picture = PictureId{1};
+  region.contours = {ring(kRadius / 3)};
+  document = update(document, DrawRegion{region, inflate::InflateParams{}, {}}).value();
+  pipeline::Cache cache;
+  const auto before = pipeline::deriveWithEdges(document, cache, {}).value().parts;
+  document = update(document, SetParameter{PartId{2}, "height", 0.5}).value();
+  const auto after = pipeline::derive(document, cache, {}, pipeline::Finish::Later);
+  CHECK(after.parts[1].shape->key != before[1].shape->key);
+  CHECK(after.parts[0].shape == before[0].shape);
+  CHECK(after.wantedTextures == std::vector{PartId{2}});
+}
+
 TEST_CASE("where it is kept, the ink of a part's outline is on it") {
   const Document document = drawn({ring(kRadius)}, kRadius);
   Look look;

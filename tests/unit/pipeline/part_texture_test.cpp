@@ -356,13 +356,13 @@ TEST_CASE("a texture made in steps is the one made at once, and a step is never 
     REQUIRE((making->texture() && whole->texture));
     CHECK(*making->texture() == *whole->texture);
     CHECK_FALSE(making->step());
-    const auto textured = later.assignTextures(making->key(), making->texture());
+    const auto textured = later.assignTexture(making->key(), making->texture());
     REQUIRE(textured);
     CHECK(isTextureKnown(*textured));
     const pipeline::Derived again = pipeline::derive(document, later, {}, pipeline::Finish::Later);
     CHECK(again.wantedTextures.empty());
     CHECK(again.parts[0].shape == textured);
-    CHECK(later.assignTextures(ShapeKey{12345}, nullptr) == nullptr);
+    CHECK(later.assignTexture(TextureKey{12345}, nullptr) == nullptr);
   }
   CHECK(pipeline::makeTexture({}, {}, PartId{1}) == nullptr);
 }
