@@ -31,6 +31,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'box',
     'castle-wall',
     'creature-of-lines',
+    'elliptical-ring',
     'hand',
     'helix',
     'letters',
@@ -51,7 +52,13 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
   ]);
   const folder = workFolder(t);
   // By part; where nothing is said there are none.
-  const handles = { ring: [1], letters: [4, 0, 1], 'three-piece-slice': [2], 'bones-of-outlines': [0, 0, 0, 0, 0, 2] };
+  const handles = {
+    ring: [1],
+    'elliptical-ring': [1],
+    letters: [4, 0, 1],
+    'three-piece-slice': [2],
+    'bones-of-outlines': [0, 0, 0, 0, 0, 2],
+  };
   for (const name of names) {
     const glb = folder.path(`${name}.glb`);
     works('loft', '--recipe', recipe(name), '--out', glb);
