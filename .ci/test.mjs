@@ -87,7 +87,7 @@ const kWebTests = ['*/unit/web/*'];
 
 /**
  * The engine, optimised, with the numbers of WebAssembly. The page's side runs as WebAssembly in the page tests; of its
- * cases, here, what takes long.
+ * cases the programs have what takes long and what needs threads.
  */
 async function wasmSingle(env) {
   const program = { ...underNode('spineloft_tests_single'), env };

@@ -41,11 +41,12 @@ bool FloorShadow::make() {
 }
 
 void FloorShadow::update(const Scene& scene, MeshStore& meshes, const VertexArray& quad) {
-  if (scene.floorRadius <= 0) return;
-  const Mat4 fromSky = fromAbove(scene.floorCentre, scene.floorRadius, scene.floorCentre.y - 1e-3,
-                                 scene.floorCentre.y + std::max(1e-3, scene.floorHeadroom));
+  const auto& [centre, radius, headroom] = scene.floor;
+  if (radius <= 0) return;
+  const Mat4 fromSky = fromAbove(centre, radius, centre.y - 1e-3, centre.y + std::max(1e-3, headroom));
   const auto cast = [](const SceneMesh& item) { return Cast{item.key, item.toWorld}; };
   const bool sameFloor = fromSky == fromSky_;
+  if (sameFloor && scene.hurried) return;
   if (sameFloor && std::ranges::equal(scene.meshes, casts_, {}, cast)) return;
   fromSky_ = fromSky;
   casts_.clear();

@@ -11,7 +11,8 @@
 namespace spineloft::gl {
 
 /// Two small maps of the floor: how near above each place a part is, and the shadow of that. Both are drawn again only
-/// when parts or floor are others, and of the first only what the parts that move add.
+/// when parts or floor are others, and of the first only what the parts that move add. Where a processor draws, that
+/// takes longer than the parts themselves: then they wait until the hand rests.
 class FloorShadow {
  public:
   /// False when the programs cannot be made.

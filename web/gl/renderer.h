@@ -58,6 +58,14 @@ struct SceneThumbnail {
   bool operator==(const SceneThumbnail&) const = default;
 };
 
+/// The disc that the parts stand on.
+struct Floor {
+  WorldPoint centre;    ///< a point on it
+  double radius = 0;    ///< 0: no floor
+  double headroom = 1;  ///< height above it within which parts cast shadows
+  bool operator==(const Floor&) const = default;
+};
+
 /// Everything below the panels of one frame.
 struct Scene {
   double width = 0, height = 0, dpr = 1;  ///< of the canvas, CSS pixels
@@ -67,13 +75,13 @@ struct Scene {
   std::vector<SceneThumbnail> thumbnails;
   Viewport thumbnailView;  ///< what is outside of it is cut off
   Mat4 view, projection;
-  WorldPoint floorCentre;    ///< a point on the floor
-  double floorRadius = 0;    ///< 0: no floor
-  double floorHeadroom = 1;  ///< height above the floor within which parts cast shadows
+  Floor floor;
   std::vector<SceneMesh> meshes;
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
   bool held = false;   ///< a hand waits for this frame
+  /// A processor draws it for a hand that moves: the floor and its shadow stay as they are, if there is one.
+  bool hurried = false;
   bool operator==(const Scene&) const = default;
 };
 

@@ -55,8 +55,7 @@ std::array<float, 3> linear(std::array<float, 3> srgb) {
 /// The solid views of both look the same.
 bool sameSolids(const Scene& a, const Scene& b) {
   return a.solidView.width == b.solidView.width && a.solidView.height == b.solidView.height && a.dpr == b.dpr &&
-         a.view == b.view && a.projection == b.projection && a.floorCentre == b.floorCentre &&
-         a.floorRadius == b.floorRadius && a.floorHeadroom == b.floorHeadroom && a.dark == b.dark &&
+         a.view == b.view && a.projection == b.projection && a.floor == b.floor && a.dark == b.dark &&
          a.meshes == b.meshes;
 }
 
@@ -367,7 +366,7 @@ class WebGlRenderer final : public Renderer {
   }
 
   void drawFloor(const Scene& scene) const {
-    if (scene.floorRadius <= 0) return;
+    if (scene.floor.radius <= 0) return;
     const Mat4 toClip = scene.projection * scene.view;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -377,9 +376,9 @@ class WebGlRenderer final : public Renderer {
     const Program& program = programs_.floor;
     glUseProgram(program.name());
     glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, toClip.m.data());
-    glUniform4f(uniform(program, "disc"), static_cast<float>(scene.floorCentre.x),
-                static_cast<float>(scene.floorCentre.y), static_cast<float>(scene.floorCentre.z),
-                static_cast<float>(scene.floorRadius));
+    const auto& [centre, radius, headroom] = scene.floor;
+    glUniform4f(uniform(program, "disc"), static_cast<float>(centre.x), static_cast<float>(centre.y),
+                static_cast<float>(centre.z), static_cast<float>(radius));
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, shadow_.texture());
     glUniform1i(uniform(program, "shadow"), 0);

@@ -45,9 +45,11 @@ void App::warmUp() {
 void App::chooseDensity() {
   const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   const bool flies = moving() && !studio_.works() && !ui_.preview, inHand = gestures_.active() || dragsControl;
+  const bool handWaits = host_.drawsSlowly() && inHand && handMoves_ && !handRests();
   scene_.held = inHand;
+  scene_.hurried = handWaits;
   platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
-  if (host_.drawsSlowly() && (flies || (inHand && handMoves_ && !handRests()))) {
+  if (handWaits || (host_.drawsSlowly() && flies)) {
     const auto pixels = [&](double dpr) { return size.width * size.height * dpr * dpr; };
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;

@@ -190,7 +190,8 @@ double floorSize(double least) { return std::exp2(std::ceil(8 * std::log2(least)
 
 /// The floor lies just below the lowest part.
 void addFloor(gl::Scene& scene) {
-  if (scene.meshes.empty()) return;
+  if (scene.hurried && scene.floor.radius > 0) return;
+  scene.floor = {};
   WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
   for (const gl::SceneMesh& mesh : scene.meshes) {
     const auto& m = mesh.toWorld.m;
@@ -204,11 +205,10 @@ void addFloor(gl::Scene& scene) {
   }
   if (!(low.x <= high.x)) return;
   const WorldPoint size = high - low;
-  scene.floorRadius = floorSize(std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.75);
-  scene.floorHeadroom = floorSize(std::max(size.y * 0.85, 0.05));
-  const double step = scene.floorRadius / 16;
+  const double radius = floorSize(std::max({size.x, size.z, size.y * 0.85, 0.1}) * 0.75), step = radius / 16;
   const auto middle = [&](double from, double to) { return std::round((from + to) / 2 / step) * step; };
-  scene.floorCentre = {middle(low.x, high.x), low.y - 0.002, middle(low.z, high.z)};
+  scene.floor = {
+      {middle(low.x, high.x), low.y - 0.002, middle(low.z, high.z)}, radius, floorSize(std::max(size.y * 0.85, 0.05))};
 }
 
 }  // namespace
@@ -230,7 +230,6 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.view = viewOf(ui.camera);
   scene.projection = projectionOf(ui.camera, ui.layout.solid);
   scene.meshes.clear();
-  scene.floorRadius = 0;
   addParts(document, derived, ui, scene);
   addSolids(document, derived, ui, scene);
   addPreview(document, derived, ui, scene);

@@ -412,3 +412,27 @@ TEST_CASE("what is moved together stays together, twins of live symmetry too; an
     CHECK(movedParts(document, derived, ear, motion)[0].mirror == plane);
   }
 }
+
+TEST_CASE("where a processor draws, floor and shadow wait for a hand that moves a part, and follow when it rests") {
+  for (const bool slow : {false, true}) {
+    CAPTURE(slow);
+    Placed page;
+    page.host.slow = slow;
+    const gl::Scene& shown = page.gl->last;
+    const gl::Floor before = shown.floor;
+    REQUIRE(before.radius > 0);
+    const ClientPoint knob = page.knob("y");
+    page.pointer(platform::PointerKind::Move, knob.x, knob.y);
+    page.pointer(platform::PointerKind::Down, knob.x, knob.y);
+    for (int i = 1; i <= 4; ++i) {
+      page.host.clockMs += 16;
+      page.pointer(platform::PointerKind::Move, knob.x, knob.y + 20 * i);
+      page.app->frame();
+    }
+    CHECK(shown.hurried == slow);
+    CHECK((shown.floor == before) == slow);
+    page.settle();
+    CHECK_FALSE(shown.hurried);
+    CHECK(shown.floor.centre.y < before.centre.y);
+  }
+}
