@@ -170,7 +170,9 @@ void App::runCalls() {
 void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); }
 
 void App::frame() {
-  if (!showFrame() && !gestures_.active()) return host_.requestFrame();
+  const bool comes = !shown_;
+  // The browser takes what is shown now when all is done that is begun before: the next frame waits for its turn.
+  if ((!showFrame() || comes) && !gestures_.active()) return host_.requestFrame();
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();

@@ -25,6 +25,9 @@ void App::resize(const platform::CanvasSize& size) {
   if (fontDpr_ != ui_.dpr) fontDpr_ = 0;
   layout();
   touch(2);
+  // Before the browser shows the last frame at another size; where a processor draws, it does so until the next one is
+  // there.
+  if (!host_.drawsSlowly()) frame();
 }
 
 /// The letters of the canvas for its pixels and the language.

@@ -78,11 +78,7 @@ EMSCRIPTEN_KEEPALIVE void spl_speak(const char* id, int rightToLeft, const std::
 
 EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {
   if (page() == nullptr) return;
-  const CanvasSize size = sizeOf(width, height, dpr);
-  resizeCanvas(size);
-  page()->resize(size);
-  // A resized backing store is blank until the next frame: draw before the browser shows it.
-  page()->frame();
+  page()->resize(sizeOf(width, height, dpr));
 }
 
 EMSCRIPTEN_KEEPALIVE void spl_setDark(int dark) {

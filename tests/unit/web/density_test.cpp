@@ -76,6 +76,11 @@ TEST_CASE("a frame that a processor still draws is not shown, no other is begun,
   CHECK(rig.host.frameAsked);
   CHECK_FALSE(rig.app->idle());
   rig.gl->slow = false;
+  rig.host.frameAsked = false;
+  rig.app->frame();  // the canvas gets it, and is taken before another is begun
+  CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.gl->shown == shown + 1);
+  CHECK(rig.host.frameAsked);
   rig.settle();
   CHECK(rig.gl->shown > shown);
   CHECK(rig.host.canvas.dpr == 1);
