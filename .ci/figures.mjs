@@ -1,5 +1,6 @@
 // npm run figures: the pictures of assets/docs/accuracy.md, made anew from the cases of a data folder
-// ($SPINELOFT_DATA, or ../shared/data/public), and those of method-inflate.md and method-stack.md, of recipes. Each is at most 150 KB.
+// ($SPINELOFT_DATA, or ../shared/data/public), and those of method-inflate.md and method-stack.md, of recipes. Each is at
+// most 150 KB.
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
