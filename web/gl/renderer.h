@@ -79,7 +79,7 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
-  bool held = false;   ///< a hand waits for this frame, and another one with as many pixels was before it
+  bool held = false;   ///< a hand waits for this frame
   /// A processor draws it for a hand that moves: the floor and its shadow stay as they are, if there is one.
   bool hurried = false;
   bool operator==(const Scene&) const = default;

@@ -172,7 +172,7 @@ void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); 
 void App::frame() {
   const bool comes = !shown_;
   // The browser takes what is shown now when all is done that is begun before: the next frame waits for its turn.
-  if (!showFrame() || comes) return host_.requestFrame();
+  if ((!showFrame() || comes) && !gestures_.active()) return host_.requestFrame();
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();

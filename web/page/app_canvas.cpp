@@ -49,6 +49,7 @@ void App::chooseDensity() {
   const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   const bool flies = moving() && !studio_.works() && !ui_.preview, inHand = gestures_.active() || dragsControl;
   const bool handWaits = host_.drawsSlowly() && inHand && handMoves_ && !handRests();
+  scene_.held = inHand;
   scene_.hurried = handWaits;
   platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
   if (handWaits || (host_.drawsSlowly() && flies)) {
@@ -56,8 +57,6 @@ void App::chooseDensity() {
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
   }
-  // The first one with fewer pixels has all that stays to draw besides.
-  scene_.held = inHand && size == pixels_;
   pixels_ = size;
 }
 
