@@ -80,7 +80,7 @@ struct Scene {
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
   bool held = false;   ///< a hand waits for this frame
-  /// A processor draws it for a hand that moves: the floor and its shadow stay as they are, if there is one.
+  /// A processor draws it for a hand that moves: the floor and its shadow stay while their size fits.
   bool hurried = false;
   bool operator==(const Scene&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "engine/base/hash.h"
 #include "engine/mesh/laws.h"
@@ -188,10 +189,9 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
 /// The next of the sizes that the floor has, which are a twelfth apart: small changes of a part leave it alone.
 double floorSize(double least) { return std::exp2(std::ceil(8 * std::log2(least)) / 8); }
 
-/// The floor lies just below the lowest part.
+/// The floor lies just below the lowest part. In a hurried frame that of the frame before stays while its size fits.
 void addFloor(gl::Scene& scene) {
-  if (scene.hurried && scene.floor.radius > 0) return;
-  scene.floor = {};
+  const gl::Floor before = std::exchange(scene.floor, {});
   WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
   for (const gl::SceneMesh& mesh : scene.meshes) {
     const auto& m = mesh.toWorld.m;
@@ -209,6 +209,8 @@ void addFloor(gl::Scene& scene) {
   const auto middle = [&](double from, double to) { return std::round((from + to) / 2 / step) * step; };
   scene.floor = {
       {middle(low.x, high.x), low.y - 0.002, middle(low.z, high.z)}, radius, floorSize(std::max(size.y * 0.85, 0.05))};
+  const bool fits = before.radius == scene.floor.radius && before.headroom == scene.floor.headroom;
+  if (scene.hurried && fits) scene.floor = before;
 }
 
 }  // namespace
