@@ -205,15 +205,20 @@ async function firstSolidTimes([width, height]) {
   return { opened: line - start, solid, settled: performance.now() - line };
 }
 
+/** A fresh page as whoever looks for a picture has it: it has made itself ready. */
+async function openWarm(browser, site) {
+  const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
+  await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, {
+    timeout: 60000,
+  });
+  return page;
+}
+
 /** Each in a fresh page. */
 async function firstSolids(browser, site) {
   const found = [];
   for (let i = 0; i < kPhotos; ++i) {
-    const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
-    // As whoever looks for a photo has it: the page has made itself ready.
-    await page.waitForFunction(() => performance.getEntriesByName('spineloft-warm').length > 0, null, {
-      timeout: 60000,
-    });
+    const page = await openWarm(browser, site);
     found.push(await page.evaluate(firstSolidTimes, [4000, 3000]));
     await page.context().close();
   }
@@ -229,7 +234,7 @@ export async function editingTimes() {
   const site = await startSite({ isolated: true });
   const browser = await startBrowser();
   try {
-    const { page } = await openPage(browser, site.url, { viewport: { width: 1440, height: 900 } });
+    const page = await openWarm(browser, site);
     await fill(page);
     const result = { parts: kParts, ribs: kRibs };
     const timed = (work, ...argument) => watched(page, work, argument);

@@ -79,8 +79,8 @@ struct Scene {
   std::vector<SceneMesh> meshes;
   bool dark = false;   ///< the ground is; of a snapshot it never is
   bool still = false;  ///< nothing moves: this frame may take longer and look better
-  bool held = false;   ///< a hand waits for this frame
-  /// A processor draws it for a hand that moves: the floor and its shadow stay while their size fits.
+  bool held = false;   ///< a hand waits for this frame, which is about as soon drawn as those before
+  /// A processor draws it for a hand that moves: the floor and its shadow stay while they are about as large.
   bool hurried = false;
   bool operator==(const Scene&) const = default;
 };

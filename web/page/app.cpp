@@ -172,7 +172,8 @@ void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); 
 void App::frame() {
   const bool comes = !shown_;
   // The browser takes what is shown now when all is done that is begun before: the next frame waits for its turn.
-  if ((!showFrame() || comes) && !gestures_.active()) return host_.requestFrame();
+  // Ink does not wait.
+  if ((!showFrame() || comes) && (!gestures_.active() || changesPart())) return host_.requestFrame();
   framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
@@ -197,12 +198,16 @@ bool App::moving() const {
          studio_.works();
 }
 
-void App::drawFrame() {
+void App::layOutPanels() {
   words::forgetMuch();
   makeFonts();
   beginUi();
   panels::draw({env(), studio_.derived(), fonts_, sink_, partPictures_, mouth_});
   ImGui::Render();
+}
+
+void App::drawFrame() {
+  layOutPanels();
   if (!sink_.empty()) framesWanted_ = std::max(framesWanted_, 2);
   runCalls();
   buildScene(studio_.document(), studio_.derived(), ui_, scene_);

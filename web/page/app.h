@@ -19,6 +19,7 @@
 #include "web/page/gestures.h"
 #include "web/platform/host.h"
 #include "web/platform/page.h"
+#include "web/scene/rehearsal.h"
 #include "web/scene/thumbnails.h"
 #include "web/ui/fonts.h"
 #include "web/ui/ui_state.h"
@@ -105,7 +106,9 @@ class App final : public platform::Page, Hand {
   void chooseDensity();
   bool showFrame();
   bool handRests() const;
+  bool changesPart() const;
   void awaitRest();
+  void layOutPanels();
   void drawFrame();
   /// Something on the screen moves by itself, or work is under way.
   bool moving() const;
@@ -134,6 +137,7 @@ class App final : public platform::Page, Hand {
   Picker picker_;
   gl::Scene scene_;
   Thumbnails thumbnails_;
+  Rehearsal rehearsal_;
   PartPictures partPictures_;
   ShownMouth mouth_;
   JsonWriter json_;

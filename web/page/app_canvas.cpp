@@ -38,10 +38,14 @@ void App::makeFonts() {
   renderer_->fontsChanged();
 }
 
+/// The start page lies over the canvas: letters, panels and frames of every kind, a piece at a time.
 void App::warmUp() {
-  if (lost_ || frames_ > 0) return;
-  if (fontDpr_ == ui_.dpr) return drawFrame();
-  makeFonts();
+  if (lost_ || !studio_.document().pictures.empty()) return;
+  if (fontDpr_ != ui_.dpr) return makeFonts();
+  if (frames_ == 0) return drawFrame();
+  if (!shown_ || rehearsal_.done()) return;
+  layOutPanels();
+  rehearsal_.drawNext(*renderer_);
 }
 
 /// Of the frame that begins: where a processor draws, it comes sooner with fewer pixels while something moves.
@@ -49,7 +53,6 @@ void App::chooseDensity() {
   const bool dragsControl = ImGui::IsAnyItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
   const bool flies = moving() && !studio_.works() && !ui_.preview, inHand = gestures_.active() || dragsControl;
   const bool handWaits = host_.drawsSlowly() && inHand && handMoves_ && !handRests();
-  scene_.held = inHand;
   scene_.hurried = handWaits;
   platform::CanvasSize size{ui_.canvasWidth, ui_.canvasHeight, ui_.dpr};
   if (handWaits || (host_.drawsSlowly() && flies)) {
@@ -57,8 +60,13 @@ void App::chooseDensity() {
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
   }
+  // The first frame with fewer pixels has all to draw that stays beside the part that changes.
+  scene_.held = inHand && (size == pixels_ || !changesPart());
   pixels_ = size;
 }
+
+/// A hand changes parts that there are.
+bool App::changesPart() const { return !ui_.placing.empty() || (ui_.preview && ui_.preview->part); }
 
 /// The last frame comes onto the canvas as soon as all of it has been drawn; false: it has not.
 bool App::showFrame() {

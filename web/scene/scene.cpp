@@ -189,7 +189,8 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
 /// The next of the sizes that the floor has, which are a twelfth apart: small changes of a part leave it alone.
 double floorSize(double least) { return std::exp2(std::ceil(8 * std::log2(least)) / 8); }
 
-/// The floor lies just below the lowest part. In a hurried frame that of the frame before stays while its size fits.
+/// The floor lies just below the lowest part. In a hurried frame that of the frame before stays while it is about as
+/// large: with another one its shadow would be drawn anew.
 void addFloor(gl::Scene& scene) {
   const gl::Floor before = std::exchange(scene.floor, {});
   WorldPoint low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
@@ -209,8 +210,9 @@ void addFloor(gl::Scene& scene) {
   const auto middle = [&](double from, double to) { return std::round((from + to) / 2 / step) * step; };
   scene.floor = {
       {middle(low.x, high.x), low.y - 0.002, middle(low.z, high.z)}, radius, floorSize(std::max(size.y * 0.85, 0.05))};
-  const bool fits = before.radius == scene.floor.radius && before.headroom == scene.floor.headroom;
-  if (scene.hurried && fits) scene.floor = before;
+  constexpr double kSmallest = 0.5, kLargest = 1.5;  // times that of the frame before
+  const double times = before.radius > 0 ? scene.floor.radius / before.radius : 0;
+  if (scene.hurried && times >= kSmallest && times <= kLargest) scene.floor = before;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How many pixels a frame has where a processor draws.
+// How many pixels a frame has where a processor draws, and what is drawn before one is needed.
 #include <doctest/doctest.h>
 
 #include "tests/unit/web/rig.h"
@@ -99,6 +99,90 @@ TEST_CASE("a hand does not wait for a frame that is still drawn: its own comes o
   CHECK(rig.gl->draws == draws + 1);
   CHECK(rig.gl->last.held);
   CHECK(rig.gl->shown == shown + 1);
+}
+
+TEST_CASE("before the first picture, frames of every kind are drawn in idle moments, and each once") {
+  Rig rig;
+  bool held = false, beside = false, still = false;
+  for (int round = 0; round < 12; ++round) {
+    rig.app->warmUp();
+    rig.settle();
+    held |= rig.gl->last.held;
+    still |= rig.gl->last.still;
+    beside |= !rig.gl->last.meshes.empty() && !rig.gl->last.held && !rig.gl->last.still;
+  }
+  CHECK(held);
+  CHECK(beside);
+  CHECK(still);
+  const int draws = rig.gl->draws;
+  rig.app->warmUp();
+  CHECK(rig.gl->draws == draws);
+  CHECK(rig.app->idle());
+}
+
+TEST_CASE("with a picture on the canvas nothing is drawn ahead over it") {
+  Rig rig;
+  rig.openBar();
+  const int draws = rig.gl->draws;
+  rig.app->warmUp();
+  CHECK(rig.gl->draws == draws);
+}
+
+TEST_CASE("the first frame of a hand that changes a part is drawn beside the canvas, and the next waits for it") {
+  Rig rig;
+  rig.host.slow = true;
+  rig.openBar();
+  rig.drawBar();
+  rig.run("ribs");
+  rig.settle();
+  const app::Json state = rig.state();
+  const app::Json::Array& ribs = *(*state.find("parts")->array())[0].find("ribs")->array();
+  const app::Json::Array& end = *ribs[ribs.size() / 2].find("left")->array();
+  const auto at = rig.at(*end[0].number(), *end[1].number());
+  const auto drag = [&](double by) {
+    rig.host.clockMs += 16;
+    rig.pointer(PointerKind::Move, at.x + by, at.y);
+    rig.app->frame();
+  };
+  rig.pointer(PointerKind::Down, at.x, at.y);
+  rig.gl->slow = true;
+  int draws = rig.gl->draws;
+  drag(8);
+  CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.gl->last.hurried);
+  CHECK_FALSE(rig.gl->last.held);
+  drag(12);
+  CHECK(rig.gl->draws == draws + 1);
+  rig.gl->slow = false;
+  drag(16);  // it comes onto the canvas
+  draws = rig.gl->draws;
+  drag(20);
+  CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.gl->last.held);
+  rig.pointer(PointerKind::Cancel, at.x, at.y);
+}
+
+TEST_CASE("under a part that grows while it is drawn the floor grows in a few steps, and fits when the hand rests") {
+  Rig rig;
+  rig.host.slow = true;
+  rig.openBar();
+  int steps = 0;
+  double radius = 0;
+  for (int i = 0; i <= 60; ++i) {
+    const auto at = rig.at(100, 40 + 2 * i);
+    rig.host.clockMs += 16;
+    rig.pointer(i == 0 ? PointerKind::Down : PointerKind::Move, at.x, at.y);
+    rig.app->frame();
+    steps += rig.gl->last.floor.radius != radius;
+    radius = rig.gl->last.floor.radius;
+  }
+  CHECK(rig.gl->last.hurried);
+  CHECK(steps >= 2);
+  CHECK(steps <= 8);
+  rig.settle();
+  const double fitting = rig.gl->last.floor.radius;
+  CHECK(radius >= fitting / 1.6);
+  CHECK(radius <= fitting * 2.1);
 }
 
 TEST_CASE("where a graphics card draws, frames have all their pixels, and the last one does not wait") {

@@ -26,6 +26,7 @@ export interface KeptEngine extends HistorySource {
   openProject(bytes: Uint8Array, photos: Record<string, RawPhoto>): void;
   run(id: string, args?: Record<string, unknown>): void;
   thumbnail(width: number, height: number): Uint8ClampedArray | null;
+  isIdle(): boolean;
 }
 
 /** What the keeper needs of the page. */
@@ -480,9 +481,15 @@ export class Keeper {
 
   private onKept(info: ModelInfo): void {
     this.rememberOpen(info.id);
-    clearTimeout(this.thumbnailTimer);
-    this.thumbnailTimer = window.setTimeout(() => void this.keepThumbnail(), kThumbnailMs);
+    this.thumbnailSoon();
     this.page.changed();
+  }
+
+  /** To read its pixels holds the page up: not while a hand moves. */
+  private thumbnailSoon(): void {
+    clearTimeout(this.thumbnailTimer);
+    const take = () => (this.engine.isIdle() ? void this.keepThumbnail() : this.thumbnailSoon());
+    this.thumbnailTimer = window.setTimeout(take, kThumbnailMs);
   }
 
   private onTrouble(failure: StoreFailure | null, since: number): void {
