@@ -74,9 +74,11 @@ async function buildAndServe(first, serve) {
   });
   const site = await serve(new Map([[laterPath(second), rest.then((whole) => whole[second].js).catch(() => null)]]));
   begin();
+  let ended = false;
+  process.on('spineloft-stop', () => (ended = true));
   rest.then(
     () => say('The other engine and the compressed files are there too.'),
-    (error) => say(`\nThe page works, but the rest of the site could not be built: ${error.message}`),
+    (error) => ended || say(`\nThe page works, but the rest of the site could not be built: ${error.message}`),
   );
   return site;
 }
