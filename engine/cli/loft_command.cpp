@@ -161,6 +161,7 @@ std::string reportOf(const Model& model) {
       report.asleep = inflate::asleep(bones);
       report.profile = profileOf(bones, report.picture, puff->inflate);
     }
+    if (document::stackOf(*model.document.parts[i]) != nullptr) report.ways = shape.ways;
     report.milliseconds = model.milliseconds;
     text += (text.empty() ? "" : ",\n") + io::writeReport(report);
   }

@@ -63,7 +63,7 @@ std::size_t heldBy(const LoftRecipe& recipe) {
 std::size_t heldBy(const StackRecipe& recipe) {
   std::size_t bytes = bytesOf(recipe.planes) + bytesOf(recipe.rail.points) + bytesOf(recipe.stack.patterns);
   for (const stack::Plane& plane : recipe.planes) {
-    bytes += bytesOf(plane.curves) + bytesOf(plane.blend.custom.points);
+    bytes += bytesOf(plane.curves) + bytesOf(plane.blend.custom.points) + bytesOf(plane.links);
     for (const stack::Curve& curve : plane.curves) bytes += bytesOf(curve.through) + bytesOf(curve.corners.at);
   }
   return bytes;

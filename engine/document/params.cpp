@@ -121,6 +121,8 @@ std::span<const ParamInfo> stackTable() {
   using stack::StackParams;
   constexpr auto kStack = &StackRecipe::stack;
   static const std::array kTable = {
+      entry<StackRecipe, kStack, &StackParams::melt>(
+          {"melt", "Rounding of forks", "times", 0, 1, 0.05, Measure::Percent, true}),
       entry<StackRecipe, kStack, &StackParams::sides>(
           {"sides", "Corners around", "", stack::kLeastSides, stack::kMostSides, 4, Measure::Plain, true}),
       entry<StackRecipe, kStack, &StackParams::capRings>(

@@ -139,6 +139,9 @@ void mendRecipe(document::StackRecipe& recipe, ReadNotes& notes) {
     weed(plane.curves, stack::kMostCurves, [](const stack::Curve& curve) { return isValid(curve); }, notes);
   }
   weed(recipe.planes, stack::kMostPlanes, [](const stack::Plane& plane) { return isValid(plane); }, notes);
+  for (std::size_t i = 0; i < recipe.planes.size(); ++i) {
+    mend(checkLinks(recipe.planes, recipe.rail.closed, i), recipe.planes[i].links, {}, notes);
+  }
   mend(checkPatterns(recipe.planes, recipe.stack.patterns), recipe.stack.patterns, {}, notes);
 }
 

@@ -201,6 +201,8 @@ Json toJson(const geometry::Turn& turn) {
   return Json::array({toJson(w), toJson(x), toJson(y), toJson(z)});
 }
 
+Json toJson(const std::optional<double>& number) { return number ? toJson(*number) : Json(); }
+
 Json toJson(const std::optional<document::MirrorPlane>& plane) {
   if (!plane) return nullptr;
   const auto& [point, normal] = *plane;
@@ -369,6 +371,13 @@ bool get(const Json& from, geometry::Turn& to) {
                     get(from[2], turn.y) && get(from[3], turn.z);
   if (four) to = turn;
   return four;
+}
+
+bool get(const Json& from, std::optional<double>& to) {
+  double number = 0;
+  if (!from.is_null() && !get(from, number)) return false;
+  to = from.is_null() ? std::nullopt : std::optional(number);
+  return true;
 }
 
 bool get(const Json& from, std::optional<document::MirrorPlane>& to) {

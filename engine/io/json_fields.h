@@ -91,6 +91,7 @@ Json toJson(const geometry::AlongCurve& curve);                  ///< [at, value
 Json toJson(const ribs::EndEdit& edit);                          ///< [side, at, along, out, reach, locked]
 Json toJson(const ribs::IgnoreMark& mark);                       ///< [radius, [x, y, …]], and true if it covers
 Json toJson(const geometry::Turn& turn);                         ///< [w, x, y, z]
+Json toJson(const std::optional<double>& number);                ///< or null
 Json toJson(const std::optional<document::MirrorPlane>& plane);  ///< null, or point and normal in one list
 Json toJson(const image::SketchStroke& stroke);                  ///< [radius, erase, colour, [x, y, …], [pressure, …]]
 Json toJson(const stack::Corners& corners);                      ///< "all", or the indices
@@ -230,6 +231,7 @@ bool get(const Json& from, geometry::AlongCurve& to);
 bool get(const Json& from, ribs::EndEdit& to);
 bool get(const Json& from, ribs::IgnoreMark& to);
 bool get(const Json& from, geometry::Turn& to);
+bool get(const Json& from, std::optional<double>& to);
 bool get(const Json& from, std::optional<document::MirrorPlane>& to);
 bool get(const Json& from, image::SketchStroke& to);
 bool get(const Json& from, stack::Corners& to);
@@ -342,6 +344,7 @@ inline std::string wanted(const geometry::AlongCurve&) { return "a list of place
 inline std::string wanted(const ribs::EndEdit&) { return "a list: side, at, along, out, reach, locked"; }
 inline std::string wanted(const ribs::IgnoreMark&) { return "a list: radius, [x, y, x, y …]"; }
 inline std::string wanted(const geometry::Turn&) { return "a list of four numbers: w, x, y, z"; }
+inline std::string wanted(const std::optional<double>&) { return "null, or a number"; }
 inline std::string wanted(const std::optional<document::MirrorPlane>&) {
   return "null, or a list of six numbers: a point and a direction";
 }

@@ -212,22 +212,32 @@ void members(V& v, T& value) {
 }
 template <class V, Is<stack::Curve> T>
 void members(V& v, T& value) {
-  auto& [through, corners, open, as, width, base] = value;
+  auto& [through, corners, open, as, width, base, forkAt, joinAt] = value;
   v("through", through);
   v("corners", corners);
   v("open", open);
   v("as", as);
   v("width", width);
   v("base", base);
+  v("forkAt", forkAt);
+  v("joinAt", joinAt);
+}
+template <class V, Is<stack::CurveLink> T>
+void members(V& v, T& value) {
+  auto& [from, to, on] = value;
+  v("from", from);
+  v("to", to);
+  v("on", on);
 }
 template <class V, Is<stack::Plane> T>
 void members(V& v, T& value) {
-  auto& [at, origin, turn, curves, blend] = value;
+  auto& [at, origin, turn, curves, blend, links] = value;
   v("at", at);
   v("origin", origin);
   v("turn", turn);
   v("curves", curves);
   v("blend", blend);
+  v("links", links);
 }
 template <class V, Is<stack::Rail> T>
 void members(V& v, T& value) {
@@ -253,13 +263,14 @@ void members(V& v, T& value) {
 }
 template <class V, Is<stack::StackParams> T>
 void members(V& v, T& value) {
-  auto& [startCap, endCap, sides, capRings, patterns, rough] = value;
+  auto& [startCap, endCap, sides, capRings, patterns, rough, melt] = value;
   v("startCap", startCap);
   v("endCap", endCap);
   v("sides", sides);
   v("capRings", capRings);
   v("patterns", patterns);
   v("rough", rough);
+  v("melt", melt);
 }
 template <class V, Is<document::StackRecipe> T>
 void members(V& v, T& value) {

@@ -212,6 +212,15 @@ std::string writeReport(const LoftReport& report) {
     const auto& [slices, middle, offAxis, thickened] = *report.profile;
     json["profile"] = {{"slices", slices}, {"middle", middle}, {"offAxis", offAxis}, {"thickened", thickened}};
   }
+  if (report.ways) {
+    json["links"] = json["forks"] = Json::array();
+    for (const auto& [plane, curve, nextPlane, nextCurve] : report.ways->links) {
+      json["links"].push_back({plane, curve, nextPlane, nextCurve});
+    }
+    for (const auto& [plane, curve, up, at] : report.ways->forks) {
+      json["forks"].push_back({{"plane", plane}, {"curve", curve}, {"up", up}, {"at", at}});
+    }
+  }
   return textOf(json, 2);
 }
 

@@ -15,6 +15,7 @@
 #include "engine/inflate/skeleton.h"
 #include "engine/mesh/laws.h"
 #include "engine/ribs/base/rib_set.h"
+#include "engine/stack/stack.h"
 
 namespace spineloft::io {
 
@@ -48,13 +49,15 @@ struct LoftReport {
     int slices = 0, middle = 0, offAxis = 0;  ///< slices; curves from axis to axis and beside it of each
     int thickened = 0;                        ///< rings that are drawn thicker, see inflate::thickenRings
   };
-  std::optional<Profile> profile;  ///< of a puff with a slice
-  NamedNumbers milliseconds;       ///< by stage
+  std::optional<Profile> profile;   ///< of a puff with a slice
+  std::optional<stack::Ways> ways;  ///< of a stack
+  NamedNumbers milliseconds;        ///< by stage
 };
 /// {"picture":{"width","height"},"ribs":n,"energy":{"distance","neighbour","opposite","prior","total"},
 /// "mesh":{"vertices","triangles","closed","lawful","shells","genus","crossesItself","volume","area"},"milliseconds":{…}};
 /// of a puff also "bones":{"ends","forks","rings","length","branches":[[x,y,r,…],…],"asleep"} in picture pixels, r the
-/// half width, and with a slice "profile":{"slices","middle","offAxis","thickened"}.
+/// half width, and with a slice "profile":{"slices","middle","offAxis","thickened"}; of a stack
+/// "links":[[plane,curve,plane,curve],…], "forks":[{"plane","curve","up","at"},…], all from 0.
 std::string writeReport(const LoftReport& report);
 
 /// A case of a data folder (case.json), as far as scoring needs it.

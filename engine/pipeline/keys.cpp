@@ -63,20 +63,22 @@ void mix(Hasher& hasher, const loft::SectionKey& key) {
 }
 void mix(Hasher& hasher, const ModelPoint& p) { mixAll(hasher, p.x, p.y, p.z); }
 void mix(Hasher& hasher, const stack::Curve& curve) {
-  const auto& [through, corners, open, as, width, base] = curve;
+  const auto& [through, corners, open, as, width, base, forkAt, joinAt] = curve;
   const auto& [all, at] = corners;
   mix(hasher, through);
-  mixAll(hasher, open, as, width, base);
+  mixAll(hasher, open, as, width, base, forkAt.has_value(), forkAt.value_or(0), joinAt.has_value(), joinAt.value_or(0));
   mixAll(hasher, all, at.size());
   for (const std::uint32_t i : at) hasher.number(i);
 }
 void mix(Hasher& hasher, const stack::Plane& plane) {
-  const auto& [at, origin, turn, curves, blend] = plane;
+  const auto& [at, origin, turn, curves, blend, links] = plane;
   mixAll(hasher, at, origin.has_value());
   if (origin) mix(hasher, *origin);
   mixAll(hasher, turn.w, turn.x, turn.y, turn.z, curves.size());
   for (const stack::Curve& curve : curves) mix(hasher, curve);
   mix(hasher, blend);
+  hasher.number(links.size());
+  for (const stack::CurveLink& link : links) mixAll(hasher, link.from, link.to, link.on);
 }
 void mix(Hasher& hasher, const stack::Rail& rail) {
   const auto& [points, closed] = rail;
@@ -289,7 +291,7 @@ ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEn
 
 ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEntry& entry) {
   const auto& [picture, planes, rail, stack] = recipe;
-  const auto& [startCap, endCap, sides, capRings, patterns, rough] = stack;
+  const auto& [startCap, endCap, sides, capRings, patterns, rough, melt] = stack;
   const auto& [amount, size, seed, keepDrawn] = rough;
   Hasher hasher;
   hasher.text("stack").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
@@ -297,7 +299,7 @@ ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEn
   hasher.number(planes.size());
   for (const stack::Plane& plane : planes) mix(hasher, plane);
   mix(hasher, rail);
-  mixAll(hasher, startCap, endCap, sides, capRings, amount, size, seed, keepDrawn, patterns.size());
+  mixAll(hasher, startCap, endCap, sides, capRings, amount, size, seed, keepDrawn, melt, patterns.size());
   for (const auto& [first, last, times, spacing] : patterns) mixAll(hasher, first, last, times, spacing);
   return ShapeKey{hasher.value()};
 }

@@ -66,8 +66,8 @@ std::size_t bytesOf(const PartShape& shape) {
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
          bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
-         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) +
-         (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+         bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) + bytes(shape.ways.links) +
+         bytes(shape.ways.forks) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const std::vector<ribs::IgnoreMark>& marks) {

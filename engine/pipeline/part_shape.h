@@ -22,6 +22,7 @@
 #include "engine/ribs/evidence/ignored.h"
 #include "engine/ribs/search/live_trace.h"
 #include "engine/ribs/search/ribs.h"
+#include "engine/stack/stack.h"
 #include "engine/surface/part_texture.h"
 
 namespace spineloft::inflate {
@@ -59,6 +60,7 @@ struct PartShape {
   std::vector<ModelPoint> centreLine;               ///< the spine in the pose, ≥ 2 points, one a generated rib
   std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned or turned, closed
   std::vector<inflate::EditedSkeleton> bones;       ///< one a piece of the region
+  stack::Ways ways;                                 ///< of curves on planes: which becomes which
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;

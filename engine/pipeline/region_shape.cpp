@@ -12,7 +12,6 @@
 #include "engine/pipeline/shape_outline.h"
 #include "engine/shape/shape.h"
 #include "engine/shape/side_fit.h"
-#include "engine/stack/stack.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -98,7 +97,12 @@ Result<PartShape> regionStage(const document::Recipe& recipe, image::Size pictur
 
 Result<PartShape> stackStage(const document::StackRecipe& recipe, image::Size picture, const Clock& clock) {
   return timed(clock, [&] {
-    return shapeOf(geometry::Contours{}, stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, picture));
+    Result<stack::Stacked> made = stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, picture);
+    if (!made) return Result<PartShape>(made.failure());
+    PartShape shape;
+    shape.mesh = std::move(made.value().mesh);
+    shape.ways = std::move(made.value().ways);
+    return Result<PartShape>(std::move(shape));
   });
 }
 

@@ -20,13 +20,6 @@ ModelPoint middleOf(const std::vector<ModelPoint>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// Vector area of a closed curve.
-double areaOf(const std::vector<ModelPoint>& points) {
-  ModelPoint sum;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += cross(points[i] - points[0], points[i + 1] - points[0]);
-  return norm(sum) / 2;
-}
-
 /// A branch as it is seen when cells are cut.
 struct Branch {
   std::size_t index = 0;
@@ -169,19 +162,22 @@ Chord chordOf(const std::vector<SectionPoint>& loop, double share) {
   return best;
 }
 
+/// How far a cut rises at least and at most.
+constexpr double kLowest = 0.05, kHighest = 0.95;
+
 class Cutter {
  public:
-  Cutter(const Joint& joint, Skin& skin) : joint_(joint), skin_(skin) {}
+  Cutter(const Loop& stem, Skin& skin) : stem_(stem), skin_(skin) {}
 
-  std::vector<Cell> cells;
+  Cells cells;
 
   void cut(Cell cell, std::vector<Branch> branches) {
     if (branches.size() == 1) {
       cell.branch = branches.front().index;
-      cells.push_back(std::move(cell));
+      cells.all.push_back(std::move(cell));
       return;
     }
-    const ModelPoint w = joint_.stem.normal;
+    const ModelPoint w = stem_.normal;
     const ModelPoint some = std::abs(w.x) < 0.7 ? ModelPoint{1, 0, 0} : ModelPoint{0, 1, 0};
     const ModelPoint x = normalized(some - w * dot(some, w)), y = cross(w, x);
     const ModelPoint centre = middleOf(cell.points);
@@ -201,7 +197,7 @@ class Cutter {
   void split(Cell cell, const std::vector<Branch>& branches, const Parting& parting, const Chord& chord) {
     const ModelPoint a = cell.points[chord.from], b = cell.points[chord.to], middle = (a + b) / 2;
     const ModelPoint e = normalized(b - a);
-    const ModelPoint up = normalized(joint_.stem.normal - e * dot(joint_.stem.normal, e));
+    const ModelPoint up = normalized(stem_.normal - e * dot(stem_.normal, e));
     ModelPoint n = cross(e, up);
     if (dot(n, parting.aside) < 0) n = -n;
     double reached = -std::numeric_limits<double>::infinity(), next = -reached, top = reached, above = next;
@@ -232,7 +228,9 @@ class Cutter {
       narrow = std::min(narrow, dot(n, p - middle));
     }
     const double width = wide - narrow;
-    const double h = std::clamp(width / (width + std::max(0.0, above - top)), 0.3, 0.7);
+    const double chosen = std::clamp(width / (width + std::max(0.0, above - top)), 0.3, 0.7);
+    const double h = std::clamp(stem_.rise.value_or(chosen), kLowest, kHighest);
+    if (cells.rise == 0) cells.rise = h;
     const ModelPoint bow = (rise * std::max(0.0, reach) + e * (drift / 2)) * h;
 
     const Cell saddle = saddleOf(cell, {a, b, bow, rise});
@@ -267,6 +265,7 @@ class Cutter {
       const double s = static_cast<double>(k) / static_cast<double>(steps);
       saddle.points.push_back(lerp(line.from, line.to, s) + line.bow * (4 * s * (1 - s)));
       saddle.vertices.push_back(skin_.vertex(saddle.points.back()));
+      cells.crease.push_back(saddle.vertices.back());
       saddle.ways.push_back(line.rise * kAlong);
     }
     return saddle;
@@ -277,22 +276,31 @@ class Cutter {
     to.ways.push_back(from.ways[i]);
   }
 
-  const Joint& joint_;
+  const Loop& stem_;
   Skin& skin_;
 };
 
 }  // namespace
 
-std::vector<Cell> cellsOf(const Joint& joint, Skin& skin) {
-  Cutter cutter(joint, skin);
-  Cell whole{0, joint.stem.points, joint.stem.vertices, {}, {}};
-  whole.ways.assign(joint.stem.points.size(), joint.stem.normal);
-  std::vector<Branch> branches;
-  for (std::size_t i = 0; i < joint.branches.size(); ++i) {
-    const Loop& loop = joint.branches[i];
-    branches.push_back({i, &loop, middleOf(loop.points), std::sqrt(areaOf(loop.points))});
+double areaOf(const std::vector<ModelPoint>& points) {
+  ModelPoint sum;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) sum += cross(points[i] - points[0], points[i + 1] - points[0]);
+  return norm(sum) / 2;
+}
+
+Cell wholeOf(const Loop& stem) {
+  Cell whole{0, stem.points, stem.vertices, {}, {}};
+  whole.ways.assign(stem.points.size(), stem.normal);
+  return whole;
+}
+
+Cells cellsOf(const Loop& stem, const std::vector<const Loop*>& branches, Skin& skin) {
+  Cutter cutter(stem, skin);
+  std::vector<Branch> seen;
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    seen.push_back({i, branches[i], middleOf(branches[i]->points), std::sqrt(areaOf(branches[i]->points))});
   }
-  cutter.cut(std::move(whole), std::move(branches));
+  cutter.cut(wholeOf(stem), std::move(seen));
   return std::move(cutter.cells);
 }
 

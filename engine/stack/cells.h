@@ -1,4 +1,5 @@
-// Cutting the inside of a loop into cells, one for each of several curves beyond it. Internal to stack/.
+// Cutting the inside of a loop, the stem, into cells, one for each of several curves beyond it, its branches. Internal
+// to stack/.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +9,27 @@
 
 namespace spineloft::stack {
 
-/// A half-space: normal · (p − origin) ≤ 0.
-struct HalfSpace {
-  ModelPoint origin, normal;
-};
-
 /// The part of a stem that becomes one branch.
 struct Cell {
-  std::size_t branch = 0;
+  std::size_t branch = 0;  ///< which, of those that the stem was cut for
   std::vector<ModelPoint> points;
   RingVertices vertices;
   std::vector<ModelPoint> ways;   ///< where the surface leaves at each point; not of unit length on cuts
   std::vector<HalfSpace> within;  ///< in which it stays
 };
 
-/// The cells of all branches, by a tree of cuts; new vertices on the cuts go into the skin.
-std::vector<Cell> cellsOf(const Joint& joint, Skin& skin);
+struct Cells {
+  std::vector<Cell> all;
+  double rise = 0;      ///< of the first cut: share of the way to the branches
+  RingVertices crease;  ///< the vertices of all cuts between their ends
+};
+
+/// The stem as one cell.
+Cell wholeOf(const Loop& stem);
+/// A cell for each of the branches (≥ 1), which lie ahead along the stem's normal, by a tree of cuts; new vertices on
+/// the cuts go into the skin.
+Cells cellsOf(const Loop& stem, const std::vector<const Loop*>& branches, Skin& skin);
+/// Of the vector area of a closed curve.
+double areaOf(const std::vector<ModelPoint>& points);
 
 }  // namespace spineloft::stack

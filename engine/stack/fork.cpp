@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -54,26 +55,12 @@ std::vector<Leave> leavesOf(const Cell& cell, const Loop& branch, ModelPoint ste
   return leaves;
 }
 
-/// The point brought into all half-spaces, as far as some rounds of projections do that.
-ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within) {
-  constexpr int kRounds = 6;
-  for (int round = 0; round < kRounds; ++round) {
-    bool inside = true;
-    for (const HalfSpace& half : within) {
-      const double beyond = dot(half.normal, p - half.origin);
-      if (beyond <= 0) continue;
-      p = p - half.normal * beyond;
-      inside = false;
-    }
-    if (inside) break;
-  }
-  return p;
-}
-
-void addBranch(const Cell& cell, const Joint& joint, const JointShape& shape, Skin& skin) {
-  const Loop& branch = joint.branches[cell.branch];
+/// The surface from a cell of a stem to its branch.
+LinkSpace addBranch(const Cell& cell, ModelPoint stemNormal, const Loop& branch, bool inwards, const JointShape& shape,
+                    Skin& skin) {
+  const auto before = static_cast<std::uint32_t>(skin.vertices());
   std::size_t first = 0;
-  const std::vector<Leave> leaves = leavesOf(cell, branch, joint.stem.normal, first);
+  const std::vector<Leave> leaves = leavesOf(cell, branch, stemNormal, first);
   std::vector<std::array<ModelPoint, 4>> arcs;
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const ModelPoint a = leaves[k].at, d = branch.points[k];
@@ -92,18 +79,172 @@ void addBranch(const Cell& cell, const Joint& joint, const JointShape& shape, Sk
     if (row == 1) {
       RingVertices loop = cell.vertices;
       std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
-      skin.zip(loop, next, joint.inwards);
+      skin.zip(loop, next, inwards);
     } else {
-      skin.strip(last, next, joint.inwards);
+      skin.strip(last, next, inwards);
     }
     last = std::move(next);
   }
+  return {before, static_cast<std::uint32_t>(skin.vertices()), cell.within};
+}
+
+/// The same curve looking back.
+Loop turnedOver(const Loop& loop) {
+  return {{loop.points.rbegin(), loop.points.rend()},
+          {loop.vertices.rbegin(), loop.vertices.rend()},
+          -loop.normal,
+          loop.rise};
+}
+
+/// A joint as it is seen from one of its sides: what becomes what.
+struct Ahead {
+  std::vector<Loop> stems, branches;
+  std::vector<std::vector<std::size_t>> of;  ///< branches of each stem
+
+  bool forks() const {
+    return std::ranges::any_of(of, [](const auto& branches) { return branches.size() > 1; });
+  }
+  /// Of each stem that has several branches; `Cell::branch` counts all branches.
+  std::vector<Cells> cells(Skin& skin) const {
+    std::vector<Cells> out(stems.size());
+    for (std::size_t i = 0; i < stems.size(); ++i) {
+      if (of[i].size() < 2) continue;
+      std::vector<const Loop*> own;
+      for (const std::size_t branch : of[i]) own.push_back(&branches[branch]);
+      out[i] = cellsOf(stems[i], own, skin);
+      for (Cell& cell : out[i].all) cell.branch = of[i][cell.branch];
+    }
+    return out;
+  }
+};
+Ahead aheadOf(const Joint& joint, bool down) {
+  const auto seen = [&](const std::vector<Loop>& loops) {
+    std::vector<Loop> out;
+    for (const Loop& loop : loops) out.push_back(down ? turnedOver(loop) : loop);
+    return out;
+  };
+  Ahead out{seen(down ? joint.above : joint.below), seen(down ? joint.below : joint.above), {}};
+  out.of.resize(out.stems.size());
+  for (const auto& link : joint.links) out.of[link[down ? 1 : 0]].push_back(link[down ? 0 : 1]);
+  return out;
+}
+
+std::vector<std::optional<double>> risesOf(const std::vector<Cells>& cells) {
+  std::vector<std::optional<double>> out;
+  for (const Cells& one : cells) out.push_back(one.all.empty() ? std::nullopt : std::optional(one.rise));
+  return out;
+}
+
+const Cell* cellFor(const Cells& cells, std::size_t branch) {
+  const auto at = std::ranges::find(cells.all, branch, &Cell::branch);
+  return at == cells.all.end() ? nullptr : &*at;
+}
+
+ModelPoint middleOf(const Loop& loop) {
+  ModelPoint sum;
+  for (const ModelPoint& p : loop.points) sum += p;
+  return sum / static_cast<double>(loop.points.size());
+}
+
+/// A circle for each link half way between its curves, as large as what both give it, and apart from the others.
+std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
+  std::vector<ModelPoint> centres;
+  for (const auto& [i, j] : joint.links) {
+    centres.push_back((middleOf(joint.below[i]) + middleOf(joint.above[j])) / 2);
+  }
+  std::vector<Loop> middles;
+  for (std::size_t k = 0; k < joint.links.size(); ++k) {
+    const auto [i, j] = joint.links[k];
+    const Loop &from = joint.below[i], &to = joint.above[j];
+    const auto shared = [&](const Loop& loop, std::size_t side, std::size_t number) {
+      const auto links = std::ranges::count_if(joint.links, [&](const auto& link) { return link[side] == number; });
+      return areaOf(loop.points) / static_cast<double>(links);
+    };
+    constexpr double kApart = 0.45;  // of the way to the next centre
+    double radius = std::sqrt((shared(from, 0, i) + shared(to, 1, j)) / 2 / std::numbers::pi);
+    for (std::size_t other = 0; other < centres.size(); ++other) {
+      if (other != k) radius = std::min(radius, kApart * distance(centres[k], centres[other]));
+    }
+    const ModelPoint normal = normalized(from.normal + to.normal);
+    const ModelPoint first = from.points.front() - middleOf(from);
+    const ModelPoint x = normalized(first - normal * dot(first, normal)), y = cross(normal, x);
+    Loop& middle = middles.emplace_back();
+    middle.normal = normal;
+    const std::size_t count = to.points.size();
+    for (std::size_t p = 0; p < count; ++p) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(p) / static_cast<double>(count);
+      middle.points.push_back(centres[k] + x * (radius * std::cos(angle)) + y * (radius * std::sin(angle)));
+      middle.vertices.push_back(skin.vertex(middle.points.back()));
+    }
+  }
+  return middles;
+}
+
+/// Several become several: each link goes through a curve of its own half way, so that each half parts to one side
+/// only.
+JointCuts addByMiddles(const Joint& joint, const JointShape& shape, Skin& skin) {
+  Joint low{joint.below, middlesOf(joint, skin), {}, joint.inwards}, high{low.above, joint.above, {}, joint.inwards};
+  for (std::size_t k = 0; k < joint.links.size(); ++k) {
+    low.links.push_back({joint.links[k][0], k});
+    high.links.push_back({k, joint.links[k][1]});
+  }
+  const auto rises = [](std::vector<Loop>& loops, double times) {
+    for (Loop& loop : loops) {
+      if (loop.rise) *loop.rise *= times;
+    }
+  };
+  rises(low.below, 2);
+  rises(high.above, 2);
+  JointCuts cuts = addJoint(low, shape, skin);
+  JointCuts upper = addJoint(high, shape, skin);
+  cuts.above = std::move(upper.above);
+  cuts.crease.insert(cuts.crease.end(), upper.crease.begin(), upper.crease.end());
+  std::ranges::move(upper.spaces, std::back_inserter(cuts.spaces));
+  for (auto* side : {&cuts.below, &cuts.above}) {
+    for (std::optional<double>& rise : *side) {
+      if (rise) *rise /= 2;
+    }
+  }
+  return cuts;
 }
 
 }  // namespace
 
-void addJoint(const Joint& joint, const JointShape& shape, Skin& skin) {
-  for (const Cell& cell : cellsOf(joint, skin)) addBranch(cell, joint, shape, skin);
+ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within) {
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    bool inside = true;
+    for (const HalfSpace& half : within) {
+      const double beyond = dot(half.normal, p - half.origin);
+      if (beyond <= 0) continue;
+      p = p - half.normal * beyond;
+      inside = false;
+    }
+    if (inside) break;
+  }
+  return p;
+}
+
+JointCuts addJoint(const Joint& joint, const JointShape& shape, Skin& skin) {
+  const Ahead up = aheadOf(joint, false), down = aheadOf(joint, true);
+  if (up.forks() && down.forks()) return addByMiddles(joint, shape, skin);
+  const std::vector<Cells> upCells = up.cells(skin), downCells = down.cells(skin);
+  std::vector<LinkSpace> spaces;
+  for (const auto& [i, j] : joint.links) {
+    const Loop &from = up.stems[i], &to = down.stems[j];
+    if (const Cell* cell = cellFor(downCells[j], i)) {
+      spaces.push_back(addBranch(*cell, to.normal, turnedOver(from), joint.inwards, shape, skin));
+    } else {
+      const Cell* part = cellFor(upCells[i], j);
+      const Cell own = part ? *part : wholeOf(from);
+      spaces.push_back(addBranch(own, from.normal, joint.above[j], joint.inwards, shape, skin));
+    }
+  }
+  JointCuts cuts{risesOf(upCells), risesOf(downCells), {}, std::move(spaces)};
+  for (const auto* side : {&upCells, &downCells}) {
+    for (const Cells& one : *side) cuts.crease.insert(cuts.crease.end(), one.crease.begin(), one.crease.end());
+  }
+  return cuts;
 }
 
 }  // namespace spineloft::stack

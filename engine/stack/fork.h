@@ -1,8 +1,11 @@
-// Where one curve becomes several: its inside is cut into cells, and every cell goes on as one of them. Internal to
-// stack/.
+// Where curves become several or one of several: the inside of each that does is cut into cells, one for each curve
+// that it becomes. Internal to stack/.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -14,25 +17,46 @@ namespace spineloft::stack {
 struct Loop {
   std::vector<ModelPoint> points;
   RingVertices vertices;
-  ModelPoint normal;  ///< unit; of a branch its plane's
+  ModelPoint normal;           ///< unit, of its plane, along the way through the stack
+  std::optional<double> rise;  ///< of the cuts through it, 0…1 of the way to what it becomes; none: chosen
 };
 
-/// A stem and what it becomes. Everything runs along the stem's normal: for branches that join into a stem both are
-/// reversed.
+/// Curves of two sheets of which some become several of the others.
 struct Joint {
-  Loop stem;
-  std::vector<Loop> branches;  ///< ≥ 1
-  bool inwards = false;        ///< walls of holes
+  std::vector<Loop> below, above;
+  std::vector<std::array<std::size_t, 2>> links;  ///< of which becomes which: below, above
+  bool inwards = false;                           ///< walls of holes
+};
+
+/// A half-space: normal · (p − origin) ≤ 0.
+struct HalfSpace {
+  ModelPoint origin, normal;
+};
+
+/// The point brought into all half-spaces, as far as some rounds of projections do that.
+ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within);
+
+/// The new vertices of one link, first … last − 1, and where they stay.
+struct LinkSpace {
+  std::uint32_t first = 0, last = 0;
+  std::vector<HalfSpace> within;
+};
+
+/// Where a joint was cut.
+struct JointCuts {
+  std::vector<std::optional<double>> below, above;  ///< rise of the first one through each curve; none: it becomes one
+  RingVertices crease;                              ///< the vertices of all between their ends
+  std::vector<LinkSpace> spaces;
 };
 
 /// How a joint is made.
 struct JointShape {
   double fullness = 0.35;  ///< κ of the Bézier rows, 0…0.5
-  int rows = 12;           ///< between stem and branches, ≥ 1
+  int rows = 12;           ///< between the sheets, ≥ 1
 };
 
-/// Puts the surface between stem and branches into the skin. Both sides of a cut use the same vertices, so that the
-/// surface is closed for any input; surfaces of different branches do not meet where a plane parts what they become.
-void addJoint(const Joint& joint, const JointShape& shape, Skin& skin);
+/// Puts the surface between the curves into the skin. Both sides of a cut use the same vertices, so that the surface is
+/// closed for any input; surfaces of different links do not meet where a plane parts what a curve becomes.
+JointCuts addJoint(const Joint& joint, const JointShape& shape, Skin& skin);
 
 }  // namespace spineloft::stack

@@ -121,12 +121,12 @@ class Pairing {
     }
   }
   const std::vector<Pair>& joined() const { return joined_; }
+
+ private:
   std::size_t count(std::size_t curve, bool isFrom) const {
     return static_cast<std::size_t>(
         std::ranges::count(joined_, curve, [&](const Pair& p) { return isFrom ? p.from : p.to; }));
   }
-
- private:
   /// Unless a group would then have several curves on both sides, or one that lies in another.
   void join(const Pair& pair) {
     for (const Pair& other : joined_) {
@@ -156,6 +156,40 @@ Pair pairOf(const Sheets& sheets, const std::vector<Drawn>& curves, std::size_t 
   return pair;
 }
 
+/// Pairs as a person wants them, of all that there may be.
+std::vector<Pair> asLinked(std::vector<Pair> joined, const std::vector<Pair>& all, const std::vector<Drawn>& curves,
+                           const std::vector<CurveLink>& links) {
+  for (const CurveLink& link : links) {
+    const auto meant = [&](const Pair& p) {
+      return curves[p.from].piece == link.from && curves[p.to].piece == link.to;
+    };
+    const auto at = std::ranges::find_if(all, meant);
+    if (at == all.end()) continue;
+    const bool is = std::ranges::any_of(joined, meant);
+    if (is && !link.on) std::erase_if(joined, meant);
+    if (!is && link.on) joined.push_back(*at);
+  }
+  return joined;
+}
+
+/// Adds a pair to the forks from `first` on, and makes one of those that it ties together.
+void addToForks(const Pair& pair, std::size_t first, std::vector<Fork>& forks) {
+  Fork* own = nullptr;
+  for (std::size_t i = first; i < forks.size(); ++i) {
+    const auto touches = [&](const auto& link) { return link[0] == pair.from || link[1] == pair.to; };
+    if (std::ranges::none_of(forks[i].links, touches)) continue;
+    if (own == nullptr) {
+      own = &forks[i];
+    } else {
+      own->links.insert(own->links.end(), forks[i].links.begin(), forks[i].links.end());
+      forks[i].links.clear();
+    }
+  }
+  if (own == nullptr) own = &forks.emplace_back();
+  own->links.push_back({pair.from, pair.to});
+  std::erase_if(forks, [](const Fork& fork) { return fork.links.empty(); });
+}
+
 /// Joins the curves of two sheets: the outer ones, then holes of those.
 void joinSheets(const Sheets& sheets, std::size_t a, std::size_t b, Network& network) {
   std::vector<Drawn>& curves = network.curves;
@@ -172,22 +206,20 @@ void joinSheets(const Sheets& sheets, std::size_t a, std::size_t b, Network& net
       }
     }
     if (!holes && pairs.size() == 1) pairs.front().gap = 0;  // the only two belong together wherever they are
-    const Pairing pairing(std::move(pairs));
-    if (!holes) outers = pairing.joined();
-    for (const Pair& pair : pairing.joined()) {
+    const std::vector<Pair> joined = asLinked(Pairing(pairs).joined(), pairs, curves, sheets.all[a].links);
+    if (!holes) outers = joined;
+    const std::size_t first = network.forks.size();
+    for (const Pair& pair : joined) {
       const Drawn &from = curves[pair.from], &to = curves[pair.to];
-      const std::size_t ups = pairing.count(pair.from, true), downs = pairing.count(pair.to, false);
+      const auto ups = std::ranges::count(joined, pair.from, &Pair::from);
+      const auto downs = std::ranges::count(joined, pair.to, &Pair::to);
       const bool single = ups == 1 && downs == 1 && (!holes || (curves[from.outer].up == to.outer));
       if (single) {
         curves[pair.from].up = pair.to;
         curves[pair.to].down = pair.from;
         continue;
       }
-      const bool up = downs == 1;
-      const std::size_t stem = up ? pair.from : pair.to, branch = up ? pair.to : pair.from;
-      auto fork = std::ranges::find_if(network.forks, [&](const Fork& f) { return f.stem == stem && f.up == up; });
-      if (fork == network.forks.end()) fork = network.forks.insert(fork, Fork{stem, {}, up});
-      fork->branches.push_back(branch);
+      addToForks(pair, first, network.forks);
       curves[pair.from].forksUp = curves[pair.to].forksDown = true;
     }
   }
@@ -276,7 +308,7 @@ Network linkSheets(const Sheets& sheets, int sides) {
     network.links.push_back(link);
   }
   makeRings(sheets, sides, network);
-  const auto isGround = [&](const Drawn& curve) { return sheets.all[curve.sheet].ground[curve.piece]; };
+  const auto isGround = [&](const Drawn& curve) { return sheets.all[curve.sheet].traits[curve.piece].ground; };
   for (Link& link : network.links) {
     const Drawn &from = curves[link.from], &to = curves[link.to];
     if (isGround(from) && isGround(to)) {  // what is below stays below

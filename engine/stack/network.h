@@ -1,6 +1,7 @@
 // Which curves of a stack go on as which, and how they turn on the way. Internal to stack/.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -35,11 +36,10 @@ struct Link {
   double total() const { return turn - carried; }
 };
 
-/// A curve that becomes several, or of which a hole goes on in one of several.
+/// Curves of two sheets that hang together and are not one and one: several become one, one several, or several several
+/// others; or a hole goes on in one of several curves.
 struct Fork {
-  std::size_t stem = 0;
-  std::vector<std::size_t> branches;  ///< ≥ 1
-  bool up = true;                     ///< false: the branches join into the stem
+  std::vector<std::array<std::size_t, 2>> links;  ///< ≥ 1: from the first sheet to the second
 };
 
 struct Network {
@@ -67,8 +67,9 @@ inline SectionPoint rotated(SectionPoint p, double angle) {
 }
 
 /// Which curves of neighbouring sheets belong together: those of which a fifth of the smaller lies in the other, most
-/// first; a curve that overlaps none goes with the nearest. One becomes one or several, or several become one, never
-/// several others. Holes likewise, within curves that belong together. With `sides` points on each.
+/// first; a curve that overlaps none goes with the nearest. One becomes one or several, or several become one; several
+/// become several others only where the sheet's links say so. Holes likewise, within curves that belong together. With
+/// `sides` points on each.
 Network linkSheets(const Sheets& sheets, int sides);
 
 }  // namespace spineloft::stack

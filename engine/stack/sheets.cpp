@@ -209,6 +209,27 @@ Status checkOrder(const Sheets& sheets) {
   return Done{};
 }
 
+/// Gives each sheet the links of its plane, where the plane that they are about follows: copies of a pattern are
+/// followed by others. Errors: StackInvalid.
+Status takeLinks(const std::vector<Plane>& planes, Sheets& sheets) {
+  const std::size_t n = sheets.all.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Sheet& sheet = sheets.all[i];
+    const Plane& plane = planes[sheet.plane.number];
+    const Sheet& next = sheets.all[(i + 1) % n];
+    if (i + 1 == n && !sheets.closed()) break;
+    if (next.plane.number != nextDrawn(planes, sheets.closed(), sheet.plane.number)) continue;
+    for (const CurveLink& link : plane.links) {
+      if (sheet.pieces[link.from].hole == next.pieces[link.to].hole) continue;
+      return {Error::StackInvalid, "curve " + std::to_string(link.from + 1) + " on " + nameOf(sheet.plane) +
+                                       " is linked with curve " + std::to_string(link.to + 1) + " on " +
+                                       nameOf(next.plane) + ", and only one of them is a hole: link holes with holes"};
+    }
+    sheet.links = plane.links;
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail, const std::vector<Pattern>& patterns) {
@@ -233,10 +254,17 @@ Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail, c
       if (!pieces) return pieces.failure();
       read[standing.number] = std::move(pieces).value();
     }
-    std::vector<bool> ground;
-    for (const Curve& curve : plane.curves) ground.push_back(curve.as == CurveUse::Ground);
-    sheets.all.push_back({standing, standOf(plane, sheets.rail), plane.at, read[standing.number], std::move(ground),
-                          std::move(plane.blend)});
+    std::vector<Trait> traits;
+    for (const Curve& curve : plane.curves) {
+      traits.push_back({curve.as == CurveUse::Ground, curve.forkAt, curve.joinAt});
+    }
+    sheets.all.push_back({standing,
+                          standOf(plane, sheets.rail),
+                          plane.at,
+                          read[standing.number],
+                          std::move(traits),
+                          std::move(plane.blend),
+                          {}});
   }
   if (sheets.all.size() == 1 && !sheets.rail) {
     return Failure{Error::StackInvalid, "one sheet alone has no height: draw on another sheet"};
@@ -255,6 +283,7 @@ Result<Sheets> standSheets(const std::vector<Plane>& planes, const Rail& rail, c
   if (sheets.all.size() == 1 && !sheets.closed()) {
     return Failure{Error::StackInvalid, "one sheet beside the rail has no height: put it on the rail"};
   }
+  if (Status linked = takeLinks(planes, sheets); !linked) return linked.failure();
   faceTravel(sheets);
   if (Status order = checkOrder(sheets); !order) return order.failure();
   return sheets;

@@ -14,14 +14,21 @@
 
 namespace spineloft::stack {
 
+/// What a curve is besides its outline.
+struct Trait {
+  bool ground = false;                   ///< it has a side that stays below (CurveUse::Ground)
+  std::optional<double> forkAt, joinAt;  ///< as Curve's
+};
+
 /// One plane with curves. Its normal points along the way through the stack.
 struct Sheet {
   Standing plane;
   Stand stand;
   double at = 0;                               ///< share of the rail
   std::vector<sections::SectionPiece> pieces;  ///< plane coordinates, counter-clockwise, holes too
-  std::vector<bool> ground;                    ///< by piece: it has a side that stays below (CurveUse::Ground)
+  std::vector<Trait> traits;                   ///< by piece
   sections::Blend blend;
+  std::vector<CurveLink> links;  ///< to the next sheet
 };
 
 /// What stands where. Sheets without curves are left out.

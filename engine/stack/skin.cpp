@@ -8,9 +8,13 @@ namespace spineloft::stack {
 
 std::uint32_t Skin::vertex(ModelPoint p) {
   mesh_.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
-  const double u = (p.x + 0.5) / picture_.width, v = (0.5 - p.y) / picture_.height;
-  mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
+  mesh_.uv.push_back(uvOf(p, picture_));
   return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+}
+
+std::array<float, 2> Skin::uvOf(ModelPoint p, image::Size picture) {
+  const double u = (p.x + 0.5) / picture.width, v = (0.5 - p.y) / picture.height;
+  return {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))};
 }
 
 ModelPoint Skin::at(std::uint32_t v) const {

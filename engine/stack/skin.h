@@ -1,6 +1,7 @@
 // The surface of a stack, ring by ring. Internal to stack/.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,6 +34,9 @@ class Skin {
     std::span<const SectionPoint> points;
   };
   bool lid(const Rim& outer, const std::vector<Rim>& holes, bool before);
+
+  /// Where the picture is at a place of the surface, as seen from the front.
+  static std::array<float, 2> uvOf(ModelPoint p, image::Size picture);
 
   std::size_t vertices() const { return mesh_.positions.size(); }
   mesh::TriMesh take() { return std::move(mesh_); }

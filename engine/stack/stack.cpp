@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/laws.h"
 #include "engine/mesh/self_crossing.h"
+#include "engine/mesh/soften.h"
 #include "engine/sections/common_points.h"
 #include "engine/stack/fork.h"
 #include "engine/stack/network.h"
@@ -67,10 +69,24 @@ class Builder {
       if (!tube.closed) filled = filled && ends(tube);
       for (const std::size_t outer : tube.curves) filled = filled && pockets(outer);
     }
-    for (const Fork& fork : network_.forks) addJoint(jointOf(fork), shape_, skin_);
+    for (const Fork& fork : network_.forks) join(fork);
     return filled ? Outcome::Filled : Outcome::Holes;
   }
   mesh::TriMesh take() { return skin_.take(); }
+  const std::vector<Ways::Fork>& forks() const { return forks_; }
+  const std::vector<mesh::Crease>& creases() const { return creases_; }
+  const std::vector<LinkSpace>& spaces() const { return spaces_; }
+  /// By vertex: kFixed on curves that were drawn, the number of its space from 1, or 0.
+  std::vector<std::uint32_t> regions() const {
+    std::vector<std::uint32_t> regions(skin_.vertices(), 0);
+    for (std::size_t i = 0; i < spaces_.size(); ++i) {
+      for (std::uint32_t v = spaces_[i].first; v < spaces_[i].last; ++v) regions[v] = static_cast<std::uint32_t>(i + 1);
+    }
+    for (const RingVertices& ring : rings_) {
+      for (const std::uint32_t v : ring) regions[v] = mesh::kFixed;
+    }
+    return regions;
+  }
 
  private:
   std::vector<Tube> tubes() const {
@@ -104,18 +120,45 @@ class Builder {
     return ring;
   }
 
-  Loop loopOf(std::size_t curve, bool up) {
-    Loop loop{{}, ringOf(curve), standOf(curve).normal() * (up ? 1.0 : -1.0)};
-    for (const SectionPoint p : network_.curves[curve].ring) loop.points.push_back(standOf(curve).at(p));
-    if (up) return loop;
-    std::ranges::reverse(loop.points);
-    std::ranges::reverse(loop.vertices);
+  Loop loopOf(std::size_t curve, bool below) {
+    const Drawn& drawn = network_.curves[curve];
+    const Trait& trait = sheets_.all[drawn.sheet].traits[drawn.piece];
+    Loop loop{{}, ringOf(curve), standOf(curve).normal(), below ? trait.forkAt : trait.joinAt};
+    for (const SectionPoint p : drawn.ring) loop.points.push_back(standOf(curve).at(p));
     return loop;
   }
-  Joint jointOf(const Fork& fork) {
-    Joint joint{loopOf(fork.stem, fork.up), {}, network_.curves[fork.stem].hole};
-    for (const std::size_t branch : fork.branches) joint.branches.push_back(loopOf(branch, fork.up));
-    return joint;
+  void join(const Fork& fork) {
+    Joint joint;
+    std::vector<std::size_t> curves[2];  // below, above
+    for (const auto& link : fork.links) {
+      auto& numbers = joint.links.emplace_back();
+      for (const std::size_t side : {0u, 1u}) {
+        const auto known = std::ranges::find(curves[side], link[side]);
+        numbers[side] = static_cast<std::size_t>(known - curves[side].begin());
+        if (known != curves[side].end()) continue;
+        curves[side].push_back(link[side]);
+        (side == 0 ? joint.below : joint.above).push_back(loopOf(link[side], side == 0));
+      }
+    }
+    joint.inwards = network_.curves[curves[0].front()].hole;
+    JointCuts cuts = addJoint(joint, shape_, skin_);
+    double radii = 0;
+    for (const auto& side : curves) {
+      for (const std::size_t curve : side) radii += network_.curves[curve].radius;
+    }
+    const auto count = static_cast<double>(curves[0].size() + curves[1].size());
+    std::ranges::move(cuts.spaces, std::back_inserter(spaces_));
+    if (!cuts.crease.empty()) creases_.push_back({std::move(cuts.crease), params_.melt * radii / count});
+    for (const bool up : {true, false}) {
+      const auto& of = up ? cuts.below : cuts.above;
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        const Drawn& drawn = network_.curves[curves[up ? 0 : 1][i]];
+        const Standing& standing = sheets_.all[drawn.sheet].plane;
+        if (!of[i]) continue;
+        const Ways::Fork made{standing.number, drawn.piece, up, *of[i]};
+        if (std::ranges::find(forks_, made) == forks_.end()) forks_.push_back(made);
+      }
+    }
   }
 
   Row drawnRow(std::size_t curve) {
@@ -330,39 +373,90 @@ class Builder {
   bool tooRough_ = false;
   std::vector<RingVertices> rings_;
   std::vector<Passage> passages_;
+  std::vector<Ways::Fork> forks_;
+  std::vector<mesh::Crease> creases_;
+  std::vector<LinkSpace> spaces_;
   int most_ = kMostRows;
   JointShape shape_;
 };
 
+/// Each once, however often its planes are repeated.
+std::vector<Ways::Link> linksOf(const Sheets& sheets, const Network& network) {
+  std::vector<Ways::Link> links;
+  const auto add = [&](std::size_t from, std::size_t to) {
+    const Drawn &a = network.curves[from], &b = network.curves[to];
+    const Ways::Link link{sheets.all[a.sheet].plane.number, a.piece, sheets.all[b.sheet].plane.number, b.piece};
+    if (std::ranges::find(links, link) == links.end()) links.push_back(link);
+  };
+  for (std::size_t i = 0; i < network.curves.size(); ++i) {
+    if (network.curves[i].up != kNone) add(i, network.curves[i].up);
+  }
+  for (const Fork& fork : network.forks) {
+    for (const auto& [from, to] : fork.links) add(from, to);
+  }
+  return links;
+}
+
+/// What a solid needs to have its creases rounded.
+struct Melting {
+  std::vector<mesh::Crease> creases;
+  std::vector<LinkSpace> spaces;
+  std::vector<std::uint32_t> regions;  ///< see Builder
+};
+
+/// With rounded creases, less round where the surface would go through itself or break a law otherwise. Curves that
+/// were drawn stay, and links in their spaces.
+mesh::TriMesh melted(const mesh::TriMesh& mesh, Melting melting, image::Size picture) {
+  const auto hold = [&](std::uint32_t region, ModelPoint p) {
+    return region == 0 ? p : held(p, melting.spaces[region - 1].within);
+  };
+  mesh::TriMesh round = mesh;
+  const auto sharp = mesh::soften(round, std::move(melting.creases), melting.regions, hold);
+  const std::vector<std::array<float, 3>> soft = round.positions;
+  for (const float share : {1.0f, 0.5f, 0.25f}) {
+    for (std::size_t v = 0; v < soft.size(); ++v) {
+      auto& p = round.positions[v];
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = soft[v][k] == sharp[v][k] ? p[k] : std::lerp(sharp[v][k], soft[v][k], share);
+      if (v >= mesh.positions.size() || p != mesh.positions[v]) round.uv[v] = Skin::uvOf({p[0], p[1], p[2]}, picture);
+    }
+    if (mesh::inspect(round).valid() && !mesh::selfCrossing(round)) return round;
+  }
+  return mesh;
+}
+
 /// The solid with as much of its roughness as `params` say. Errors: StackInvalid. None: it would cross itself so rough.
-std::optional<Result<mesh::TriMesh>> built(const Sheets& sheets, const Network& network, const StackParams& params,
-                                           image::Size picture) {
+std::optional<Result<Stacked>> built(const Sheets& sheets, const Network& network, const StackParams& params,
+                                     image::Size picture) {
   // Full joints first; where their walls cross, straighter ones. Without a fork the first is as good as any.
   constexpr std::array kFullness = {0.35, 0.175, 0.0875, 0.0};
-  mesh::TriMesh mesh;
+  Stacked made;
+  Melting melting;
   for (const double fullness : kFullness) {
     Builder builder(sheets, network, params, picture);
     builder.setFullness(fullness);
     const Builder::Outcome outcome = builder.run();
     if (outcome == Builder::Outcome::TooRough) return std::nullopt;
-    mesh = builder.take();
-    mesh::MeshReport report = mesh::inspect(mesh);
+    if (params.melt > 0) melting = {builder.creases(), builder.spaces(), builder.regions()};
+    made = {builder.take(), {linksOf(sheets, network), builder.forks()}};
+    mesh::MeshReport report = mesh::inspect(made.mesh);
     if (!report.outward) {  // it goes back through itself more than ahead
-      for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+      for (auto& t : made.mesh.triangles) std::swap(t[1], t[2]);
       report.outward = true;
     }
     if (outcome == Builder::Outcome::Holes || !report.valid()) {
       return Failure{Error::StackInvalid,
                      "the sheets are too close to each other or their curves too fine: move them apart"};
     }
-    if (network.forks.empty() || !mesh::selfCrossing(mesh)) break;
+    if (network.forks.empty() || !mesh::selfCrossing(made.mesh)) break;
   }
-  return mesh;
+  if (!melting.creases.empty()) made.mesh = melted(made.mesh, std::move(melting), picture);
+  return made;
 }
 
 }  // namespace
 
-Result<mesh::TriMesh> stackPlanes(const Stack& stack, image::Size picture) {
+Result<Stacked> stackPlanes(const Stack& stack, image::Size picture) {
   if (!isValid(stack.params) || picture.width < 1 || picture.height < 1) return Error::ValueOutOfRange;
   if (Status planes = checkPlanes(stack.planes, stack.rail, stack.params.patterns); !planes) return planes.failure();
   const Result<Sheets> sheets = standSheets(stack.planes, stack.rail, stack.params.patterns);

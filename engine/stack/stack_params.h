@@ -44,7 +44,18 @@ struct Curve {
   CurveUse as = CurveUse::Closed;
   double width = 0;  ///< of a ribbon, picture pixels, > 0
   double base = 0;   ///< of ground: the y of the line down to which it is filled
+  /// Where it parts into several curves of the next plane, and where several of the plane before join into it: share of
+  /// the way from it to them, 0…1; none: chosen.
+  std::optional<double> forkAt = {}, joinAt = {};
   bool operator==(const Curve&) const = default;
+};
+
+/// A person's word on whether a curve becomes one of the next plane that has curves. On a closed rail the first plane
+/// follows the last one.
+struct CurveLink {
+  std::uint32_t from = 0, to = 0;  ///< curves of the plane and of the next, from 0
+  bool on = true;                  ///< false: it does not
+  bool operator==(const CurveLink&) const = default;
 };
 
 /// A plane in space with the curves on it. On the rail its origin is the rail's point, x runs to the right of the way
@@ -56,6 +67,7 @@ struct Plane {
   geometry::Turn turn;
   std::vector<Curve> curves;
   sections::Blend blend{sections::BlendKind::Flow, {}};  ///< from here to the next plane
+  std::vector<CurveLink> links;  ///< where they differ from what is chosen (stackPlanes), each once; at most kMostLinks
   bool operator==(const Plane&) const = default;
 };
 
@@ -92,6 +104,7 @@ struct StackParams {
   int capRings = 6;               ///< of round ends
   std::vector<Pattern> patterns;  ///< at most kMostPatterns, of different planes
   Rough rough;
+  double melt = 0;  ///< how far about the creases of forks the surface is rounded: in mean radii of their curves, 0…1
   bool operator==(const StackParams&) const = default;
 };
 
@@ -99,7 +112,7 @@ inline constexpr std::size_t kMostPlanes = 64, kMostCurves = sections::kMostCont
                              kMostThrough = sections::kMostDrawnPoints, kMostRailPoints = 256,
                              kMostPoints = 50000,  ///< of all curves, patterns written out
     kMostStanding = 256;                           ///< curves, where patterns are written out
-inline constexpr std::size_t kMostPatterns = 16;
+inline constexpr std::size_t kMostPatterns = 16, kMostLinks = kMostCurves * kMostCurves;
 inline constexpr std::uint32_t kMostTimes = 1000;
 inline constexpr double kFarOut = 1e5;  ///< of any coordinate, picture pixels
 inline constexpr double kMostRough = 1000, kLeastBump = 1;
@@ -114,8 +127,13 @@ bool isValid(const Plane& plane);
 /// Whether every pattern repeats planes that there are, each at most once, on the rail and within it, and does not make
 /// too many curves. Errors: StackInvalid, which names pattern and sheet as a person counts them and says what to do.
 Status checkPatterns(const std::vector<Plane>& planes, const std::vector<Pattern>& patterns);
-/// At least one plane with a curve, numbers in range, patterns as above. Errors: ValueOutOfRange, StackInvalid, with
-/// what is missing or wrong.
+/// The plane that follows one of them, with curves; none behind the last.
+std::optional<std::size_t> nextDrawn(const std::vector<Plane>& planes, bool closed, std::size_t plane);
+/// Whether the links of a plane are of curves that it and the next one have, each once. Errors: StackInvalid, which
+/// names sheet and curves.
+Status checkLinks(const std::vector<Plane>& planes, bool closed, std::size_t plane);
+/// At least one plane with a curve, numbers in range, links between curves that there are, patterns as above. Errors:
+/// ValueOutOfRange, StackInvalid, with what is missing or wrong.
 Status checkPlanes(const std::vector<Plane>& planes, const Rail& rail, const std::vector<Pattern>& patterns);
 
 }  // namespace spineloft::stack

@@ -67,6 +67,37 @@ for (const device of ['mouse', 'finger', 'pen']) {
       assert.equal(now.undo, 4); // the paper, and three lines
       assert.ok((await exported(page, 'stl')).length > 50000);
     }));
+
+  test(`a fork is moved by its knob, and an arm parted from it by a tap: by ${device}`, () =>
+    onPage(kit, { hasTouch: true }, async (page) => {
+      await paper(page);
+      await draw(page, device, circle(0, 0, 0.4));
+      await lift(page, device, 170);
+      await draw(page, device, circle(-0.5, 0, 0.3));
+      await draw(page, device, circle(0.5, 0, 0.3));
+      let { sheet, undo } = await state(page);
+      assert.deepEqual(
+        sheet.links.map(({ on }) => on),
+        [true, true],
+      );
+      const before = sheet.forks[0].at;
+      const [knob] = await onCanvas(page, sheet.forks[0].knob);
+      await strokeAlong(
+        page,
+        device,
+        [0, 10, 20, 30].map((by) => ({ x: knob.x, y: knob.y + by })),
+      );
+      ({ sheet, undo } = await state(page));
+      assert.ok(sheet.forks[0].at < before - 0.05, `${before} to ${sheet.forks[0].at}`);
+      const [mark] = await onCanvas(page, sheet.links[1].mark);
+      await strokeAlong(page, device, [mark]);
+      const now = await state(page);
+      assert.deepEqual(
+        now.sheet.links.map(({ on }) => on),
+        [true, false],
+      );
+      assert.deepEqual([now.sheet.forks.length, now.undo, now.parts[0].failure], [0, undo + 1, null]);
+    }));
 }
 
 test('a hand on a phone takes twelve gestures', () =>

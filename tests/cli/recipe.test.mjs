@@ -31,6 +31,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'box',
     'castle-wall',
     'creature-of-lines',
+    'crossed-pipes',
     'elliptical-ring',
     'hand',
     'helix',
@@ -55,6 +56,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
   const handles = {
     ring: [1],
     'elliptical-ring': [1],
+    'crossed-pipes': [1],
     letters: [4, 0, 1],
     'three-piece-slice': [2],
     'bones-of-outlines': [0, 0, 0, 0, 0, 2],

@@ -61,17 +61,17 @@ inline stack::Rail railAhead(double length) { return {{{100, -100, 0}, {100, -10
 
 inline mesh::TriMesh stacked(const std::vector<stack::Plane>& planes, const stack::Rail& rail,
                              const stack::StackParams& params = {}) {
-  const Result<mesh::TriMesh> mesh = stack::stackPlanes({planes, rail, params}, kStackPaper);
-  REQUIRE_MESSAGE(mesh.ok(), failureSentence(mesh.ok() ? Failure{} : mesh.failure()));
-  return mesh.value();
+  const Result<stack::Stacked> made = stack::stackPlanes({planes, rail, params}, kStackPaper);
+  REQUIRE_MESSAGE(made.ok(), failureSentence(made.ok() ? Failure{} : made.failure()));
+  return made.value().mesh;
 }
 
 /// That it makes no solid, and says so with these words.
 inline void requireRefused(const std::vector<stack::Plane>& planes, const stack::Rail& rail,
                            const stack::StackParams& params, const std::string& words) {
-  const Result<mesh::TriMesh> mesh = stack::stackPlanes({planes, rail, params}, kStackPaper);
-  REQUIRE_MESSAGE(!mesh.ok(), words);
-  const std::string sentence = failureSentence(mesh.failure());
+  const Result<stack::Stacked> made = stack::stackPlanes({planes, rail, params}, kStackPaper);
+  REQUIRE_MESSAGE(!made.ok(), words);
+  const std::string sentence = failureSentence(made.failure());
   CHECK_MESSAGE(sentence.find(words) != std::string::npos, sentence);
 }
 

@@ -21,7 +21,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "find-edges", "fit", "fit-side", "flat-foot", "focus-picture", "focus-solid", "fold-step", "group", "hand", "help",
     "hidden-pen", "hide-line", "hollow-cancel", "hollow-next", "hollow-open", "hollow-show", "hollow-use", "home-view",
     "ignore", "ignore-edges", "ignore-whole-picture", "in-front", "inside", "join-ends", "keep-common", "keep-ribs",
-    "keep-slice", "language", "layer-blend", "layer-bumps", "layer-circle", "layer-copy", "layer-down", "layer-face", "layer-move", "layer-rail", "layer-remove", "layer-repeat",
+    "keep-slice", "language", "layer-blend", "layer-bumps", "layer-circle", "layer-copy", "layer-down", "layer-face", "layer-fork", "layer-link", "layer-move", "layer-rail", "layer-remove", "layer-repeat",
     "layer-sheet", "layer-square", "layer-up", "layer-wall", "layers", "lines", "list-down", "list-up", "load-shelf", "lock-rib",
     "make-puff", "make-round", "make-sheet", "mirror-copy", "more-ribs", "more-tools", "move", "move-bone",
     "move-in-list", "move-outline-point", "move-parts", "move-rib-end", "move-slice", "move-spine", "new-model",

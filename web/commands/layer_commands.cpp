@@ -9,6 +9,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/layers.h"
 #include "web/model/messages.h"
@@ -266,7 +267,37 @@ Outcome wallRow(Env env, const Json& args) {
   });
 }
 
-constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"};
+/// Links and forks between the layer on the sheet and its neighbours, as state() counts them.
+Outcome linkRow(Env env, const Json& args) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  const auto number = args.number("link");
+  const auto joints = jointsOf(env.studio.document(), env.studio.derived(), env.ui, *sheet);
+  if (!number || !(*number >= 0) || *number >= static_cast<double>(joints.links.size())) {
+    return missing("a link: the number of one of the sheet's, from 0");
+  }
+  const LayerLink& link = joints.links[static_cast<std::size_t>(*number)];
+  return remakeLayers(env, sheet->part, withLink(sheet->recipe, link, args.flag("on").value_or(!link.on)));
+}
+
+/// Of one fork, or of all that are seen.
+Outcome forkRow(Env env, const Json& args) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  const auto at = args.number("at"), number = args.number("fork");
+  if (!at || !(*at >= 0 && *at <= 1)) return missing("a height (at): 0…1, from the one curve to the several");
+  const auto joints = jointsOf(env.studio.document(), env.studio.derived(), env.ui, *sheet);
+  document::StackRecipe recipe = sheet->recipe;
+  for (std::size_t i = 0; i < joints.forks.size(); ++i) {
+    if (!number || *number == static_cast<double>(i)) recipe = withFork(recipe, joints.forks[i], *at);
+  }
+  if (recipe == sheet->recipe && joints.forks.empty()) {
+    return refuse({Error::StackInvalid, "no fork here can be moved: draw two curves above one"});
+  }
+  return remakeLayers(env, sheet->part, recipe);
+}
+
+constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"};
 constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"};
 constexpr Condition kHasLayers{hasLayers, Condition::Part}, kHasRail{hasRail, Condition::Part},
     kCanRepeat{canRepeat, Condition::Part}, kHasWalls{hasWalls, Condition::Part};
@@ -308,6 +339,10 @@ constexpr std::array kTable = {
             .hint = "An uneven surface, as of rock or bark", .enabled = kHasLayers, .run = bumpsRow},
     Command{.id = "layer-wall", .label = "Width of walls", .icon = "ruler", .group = "part", .argument = kWidth,
             .hint = "How wide open lines are", .enabled = kHasWalls, .run = wallRow},
+    Command{.id = "layer-link", .label = "Link by numbers", .icon = "waypoints", .group = "part", .argument = kLink,
+            .hint = "Curves of two layers become each other, or no longer", .enabled = kOnLayer, .run = linkRow},
+    Command{.id = "layer-fork", .label = "Fork by numbers", .icon = "waypoints", .group = "part", .argument = kAt,
+            .hint = "How high a fork is", .enabled = kOnLayer, .run = forkRow},
     Command{.id = "draw-layer", .label = "Layer by numbers", .icon = "layers", .group = "part", .argument = kLine,
             .hint = "A line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
 };
@@ -318,8 +353,12 @@ constexpr std::array kTable = {
 Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
   const auto sheet = sheetFor(env.studio.document(), intent.part, env.ui.picture, intent.at);
   if (!sheet) return noSheet();
-  return keep(env, intent.part, withCurves(*sheet, intent.curves),
-              sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
+  const document::StackRecipe recipe = withCurves(*sheet, intent.curves);
+  Outcome kept = keep(env, intent.part, recipe, sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
+  const bool forks =
+      kept && recipe.planes.size() > 1 && sheet->layer && recipe.planes[*sheet->layer].curves.size() == 2;
+  if (forks) sendStatus(env.host, "Full dots join shapes: tap one to part them. The knob moves the fork.");
+  return kept;
 }
 
 Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPoint>& line) {

@@ -10,7 +10,6 @@
 #include "engine/io/json_fields.h"
 #include "web/edit/editing.h"
 #include "web/edit/gizmo.h"
-#include "web/edit/layers.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/shaping.h"
@@ -19,6 +18,7 @@
 #include "web/commands/drawing_json.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/commands/sheet_json.h"
 #include "web/edit/solid_editing.h"
 #include "web/edit/spinning.h"
 
@@ -273,38 +273,6 @@ void writePlacement(JsonWriter& json, const document::Part& part, double mm) {
   }
   json.key("group");
   part.group ? json.number(part.group.value) : json.null();
-}
-
-void writePlace(JsonWriter& json, std::optional<ClientPoint> at) {
-  if (!at) {
-    json.null();
-    return;
-  }
-  json.beginArray().number(at->x).number(at->y).endArray();
-}
-
-/// The sheet for layers, with its corners and its knob on the canvas.
-void writeSheet(JsonWriter& json, const CommandEnv& env) {
-  json.key("sheet");
-  const auto sheet = shownSheet(env.studio.document(), env.ui);
-  if (!sheet) {
-    json.null();
-    return;
-  }
-  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, *sheet);
-  const auto onCanvas = [&](ModelPoint p) { return pointOnCanvas(env.ui.camera, env.ui.layout.solid, toWorld(p)); };
-  json.beginObject().key("at").number(sheet->at).key("half").number(sheet->half).key("layer");
-  sheet->layer ? json.number(static_cast<double>(*sheet->layer)) : json.null();
-  json.key("layers").beginArray();
-  for (const stack::Plane& plane : sheet->recipe.planes) {
-    json.beginObject().key("at").number(plane.at).key("curves");
-    json.number(static_cast<double>(plane.curves.size())).endObject();
-  }
-  json.endArray().key("corners").beginArray();
-  for (const ModelPoint corner : cornersOf(*sheet)) writePlace(json, onCanvas(corner));
-  json.endArray().key("knob");
-  writePlace(json, sheet->onRail() ? onCanvas(knobOf(*sheet)) : std::nullopt);
-  json.endObject();
 }
 
 /// What is in hand, the groups, and where the handles of the gizmo are on the canvas.

@@ -86,6 +86,7 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
     }
   }
   out.rail = rail;
+  if (!rail.closed && !out.planes.empty()) out.planes.back().links.clear();  // nothing follows it
   if (stack::canRepeat(out.planes, out.rail, out.stack.patterns)) {
     const std::uint32_t times = stack::timesOf(out.planes, out.stack.patterns);
     stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);

@@ -8,6 +8,7 @@
 #include "engine/geometry/polyline.h"
 #include "engine/sections/drawing.h"
 #include "engine/sections/open_line.h"
+#include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/placing.h"
 
@@ -19,6 +20,7 @@ using Points = std::vector<SectionPoint>;
 
 constexpr double kNewLength = 0.5, kNewHalf = 0.32;  // of the picture's shorter side
 constexpr double kNewCurve = 0.5;                    // of the sheet's half side
+constexpr double kNewMelt = 0.35;                    // of forks
 constexpr double kMargin = 1.2;                      // of the sheet about its curves
 constexpr double kKnob = 1.12;                       // of the half side, from the middle
 constexpr double kSame = 0.006;                      // of the rail: a sheet so near to a layer lies on it
@@ -143,6 +145,7 @@ std::optional<Sheet> sheetFor(const document::Document& document, PartId id, Pic
   Sheet sheet;
   sheet.recipe.picture = entry->id;
   sheet.recipe.rail = railOn(entry->size);
+  sheet.recipe.stack.melt = kNewMelt;
   if (part != nullptr) {
     sheet.part = part->id;
     sheet.recipe = *document::stackOf(*part);
@@ -274,14 +277,18 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
     own = static_cast<std::size_t>(place - recipe.planes.begin());
     recipe.planes.insert(place, plane);
     countIn(recipe, own);
+    recipe.planes[own].curves = curves;  // it follows the one before from now on
+    dropLinksTo(recipe, own);
+    return recipe;
   }
   std::vector<Points> outlines;
   for (const stack::Curve& curve : curves) outlines.push_back(stack::outlineOf(curve));
   std::vector<stack::Curve>& kept = recipe.planes[own].curves;
-  std::erase_if(kept, [&](const stack::Curve& old) {
-    const Points outline = stack::outlineOf(old);
-    return std::ranges::any_of(outlines, [&](const Points& drawn) { return sections::outlinesMeet(outline, drawn); });
-  });
+  for (std::size_t i = kept.size(); i-- > 0;) {
+    const Points outline = stack::outlineOf(kept[i]);
+    const auto meets = [&](const Points& drawn) { return sections::outlinesMeet(outline, drawn); };
+    if (std::ranges::any_of(outlines, meets)) dropCurve(recipe, own, i);
+  }
   for (stack::Curve& curve : curves) kept.push_back(std::move(curve));
   return recipe;
 }
@@ -313,6 +320,7 @@ document::Look layerLook(const UiState& ui) {
 StackRecipe withoutLayer(const Sheet& sheet) {
   StackRecipe recipe = sheet.recipe;
   if (!sheet.layer) return recipe;
+  dropLinksTo(recipe, *sheet.layer);
   recipe.planes.erase(recipe.planes.begin() + static_cast<std::ptrdiff_t>(*sheet.layer));
   countOut(recipe, *sheet.layer);
   return recipe;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "web/commands/intents.h"
+#include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
@@ -58,6 +59,19 @@ class Settings {
          {std::pair{BlendKind::Flow, "Smooth"}, {BlendKind::Linear, "Straight"}, {BlendKind::Hold, "In steps"}}) {
       if (buttons.button(text, text, now == kind) && now != kind) keep(app::withBlend(layers_, kind));
     }
+  }
+
+  /// Of the forks beside the sheet that is seen.
+  void forks() {
+    const auto sheet = app::shownSheet(env_.document(), env_.ui());
+    if (!sheet || sheet->part != part_.id) return;
+    const app::LayerJoints joints = app::jointsOf(env_.document(), env_.derived, env_.ui(), *sheet);
+    if (joints.forks.empty()) return;
+    number({"##fork", "Where it forks", 0, 1, 100, "{n} %", 0}, joints.forks.front().at, [&](double value) {
+      StackRecipe changed = layers_;
+      for (const app::LayerFork& fork : joints.forks) changed = app::withFork(changed, fork, value);
+      return changed;
+    });
   }
 
   void numbers() {
@@ -136,6 +150,7 @@ void layersPanel(const PanelEnv& env, const document::Part& part, float width) {
   Settings settings(env, part, width);
   settings.way();
   settings.between();
+  settings.forks();
   settings.numbers();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "web/commands/intents.h"
+#include "web/edit/layer_joints.h"
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
@@ -99,17 +100,47 @@ void paintLayers(SheetPainter& paint, const app::Sheet& sheet, const document::S
   }
 }
 
+/// It goes up and down.
+void paintHandle(ImDrawList& list, ImVec2 at, float radius) {
+  list.AddCircleFilled(at, radius + 2, kHalo, 24);
+  list.AddCircleFilled(at, radius, toolColour(app::ToolKind::Layers), 24);
+  const float size = radius / 11;
+  for (const float way : {-1.f, 1.f}) {
+    const float tip = at.y + way * 7 * size, foot = tip - way * 5 * size, side = 4.5f * size;
+    list.AddTriangleFilled({at.x, tip}, {at.x - side, foot}, {at.x + side, foot}, kOnAccent);
+  }
+}
+
 void paintKnob(SheetPainter& paint, const app::Sheet& sheet, bool hot) {
   const auto at = paint.at(app::knobOf(sheet));
-  if (!at || !sheet.onRail()) return;
+  if (at && sheet.onRail()) paintHandle(paint.list(), *at, hot ? 13.f : 11.f);
+}
+
+/// Bands from curve to curve with the marks that a tap changes, full where the curves become each other, and the knobs
+/// of forks.
+void paintJoints(SheetPainter& paint, const app::LayerJoints& joints, const app::Hover& hover) {
   const ImU32 colour = toolColour(app::ToolKind::Layers);
   ImDrawList& list = paint.list();
-  const float radius = hot ? 13.f : 11.f;
-  list.AddCircleFilled(*at, radius + 2, kHalo, 24);
-  list.AddCircleFilled(*at, radius, colour, 24);
-  for (const float way : {-1.f, 1.f}) {
-    const float tip = at->y + way * 7, foot = tip - way * 5;
-    list.AddTriangleFilled({at->x, tip}, {at->x - 4.5f, foot}, {at->x + 4.5f, foot}, kOnAccent);
+  const auto isHot = [&](app::SheetHold hold, std::size_t i) {
+    return hover.sheet == hold && hover.joint == static_cast<int>(i);
+  };
+  for (std::size_t i = 0; i < joints.links.size(); ++i) {
+    const app::LayerLink& link = joints.links[i];
+    const auto a = paint.at(link.a), b = paint.at(link.b), mark = paint.at(link.mark);
+    if (!a || !b || !mark) continue;
+    const float radius = isHot(app::SheetHold::Link, i) ? 8.f : 6.f;
+    if (link.on) list.AddLine(*a, *b, faded(colour, 120), 4);
+    list.AddCircleFilled(*mark, radius + 2, kHalo, 20);
+    if (link.on) {
+      list.AddCircleFilled(*mark, radius, colour, 20);
+    } else {
+      list.AddCircle(*mark, radius, colour, 20, 2);
+    }
+  }
+  for (std::size_t i = 0; i < joints.forks.size(); ++i) {
+    if (const auto at = paint.at(joints.forks[i].knob())) {
+      paintHandle(list, *at, isHot(app::SheetHold::Fork, i) ? 11.f : 9.f);
+    }
   }
 }
 
@@ -175,6 +206,11 @@ void drawSheet(const PanelEnv& env) {
   if (ui.layers.line.size() > 1) {
     paint.line(sheet->stand, ui.layers.line, {faded(kHalo, 220), 6, false});
     paint.line(sheet->stand, ui.layers.line, {colour, 3, false});
+  }
+  if (ui.layers.line.empty()) {
+    app::Sheet seen = *sheet;
+    if (moved) seen.recipe = *moved;
+    paintJoints(paint, app::jointsOf(env.document(), env.derived, ui, seen), ui.hover);
   }
   paintKnob(paint, *sheet, ui.layers.held || ui.hover.sheet == app::SheetHold::Knob);
   paint.list().PopClipRect();

@@ -163,7 +163,9 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   if (const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, ui)) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
-  hover.sheet = holdAt(env, event);
+  const SheetGrip grip = gripAt(env, event);
+  hover.sheet = grip.hold;
+  hover.joint = grip.joint;
   if (const app::BonedPuff puff = app::bonesInHand(env.document, env.derived, ui)) {
     hover.bone = app::sliceInSolid(puff, ui, event.at, reachOf(event));
   }
@@ -177,7 +179,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
   const app::Hover& hover = ui.hover;
   if (view == app::Focus::Solid) {
     if (ui.solids.pointing || ui.solids.hollow) return hover.part ? "crosshair" : "grab";
-    if (hover.sheet == app::SheetHold::Knob) return "ns-resize";
+    if (hover.sheet == app::SheetHold::Knob || hover.sheet == app::SheetHold::Fork) return "ns-resize";
+    if (hover.sheet == app::SheetHold::Link) return "pointer";
     if (hover.sheet == app::SheetHold::Sheet) return "crosshair";
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.bone >= 0) return "grab";

@@ -33,23 +33,45 @@ app::ClientPoint railOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const
   return norm(unit) < kLeastUnit ? app::ClientPoint{0, -kLeastUnit} : unit;
 }
 
+/// The way on the canvas from the one curve of a fork to the several.
+app::ClientPoint wayOnCanvas(const ToolEnv& env, const app::LayerFork& fork, const pipeline::ToWorld& toWorld) {
+  const auto a = onCanvas(env, toWorld, fork.stem), b = onCanvas(env, toWorld, fork.ahead);
+  return a && b && distance(*a, *b) >= kLeastUnit ? *b - *a : app::ClientPoint{0, fork.up ? -kLeastUnit : kLeastUnit};
+}
+
 }  // namespace
 
-SheetHold holdAt(const ToolEnv& env, const ToolEvent& event) {
+SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
   const auto sheet = app::shownSheet(env.document, env.ui);
-  if (!sheet) return SheetHold::Nothing;
+  if (!sheet) return {};
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document, env.derived, env.ui, *sheet);
   const auto knob = onCanvas(env, toWorld, app::knobOf(*sheet));
   const auto at = app::onSheet(*sheet, toWorld, env.ui, event.at);
   const bool inside = at && app::isOnSheet(*sheet, *at);
   // A line may begin near the knob.
   const double reach = inside ? kMouseReach : event.touch() ? kTouchReach : 1.6 * kMouseReach;
-  if (knob && sheet->onRail() && distance(*knob, event.at) <= reach) return SheetHold::Knob;
-  return inside ? SheetHold::Sheet : SheetHold::Nothing;
+  if (knob && sheet->onRail() && distance(*knob, event.at) <= reach) return {SheetHold::Knob};
+  const app::LayerJoints joints = app::jointsOf(env.document, env.derived, env.ui, *sheet);
+  double nearest = event.touch() ? kTouchReach : kMouseReach;  // a line may begin on a mark, too: draw()
+  SheetGrip grip{inside ? SheetHold::Sheet : SheetHold::Nothing};
+  const auto offer = [&](ModelPoint mark, SheetGrip offered) {
+    const auto on = onCanvas(env, toWorld, mark);
+    if (!on || distance(*on, event.at) > nearest) return;
+    nearest = distance(*on, event.at);
+    grip = offered;
+  };
+  for (std::size_t i = 0; i < joints.links.size(); ++i) {
+    offer(joints.links[i].mark, {SheetHold::Link, static_cast<int>(i)});
+  }
+  nearest = std::min(nearest, reach);
+  for (std::size_t i = 0; i < joints.forks.size(); ++i) {
+    offer(joints.forks[i].knob(), {SheetHold::Fork, static_cast<int>(i)});
+  }
+  return grip;
 }
 
 bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by) {
-  if (holdAt(env, {at}) == SheetHold::Nothing) return false;
+  if (gripAt(env, {at}).hold == SheetHold::Nothing) return false;
   constexpr double kPerPixel = 0.0004;  // of the rail: a notch of a wheel is 0.04 of it
   const auto sheet = app::shownSheet(env.document, env.ui);
   const double way = sheet->onRail() ? -by * kPerPixel : by < 0 ? 1 : -1;
@@ -62,21 +84,36 @@ void SheetTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   const auto sheet = app::shownSheet(env.document, env.ui);
   if (!sheet) return;
-  hold_ = holdAt(env, event);
+  grip_ = gripAt(env, event);
   sheet_ = *sheet;
+  joints_ = app::jointsOf(env.document, env.derived, env.ui, sheet_);
   toWorld_ = app::sheetInWorld(env.document, env.derived, env.ui, sheet_);
   before_ = sheet_.at;
-  unit_ = railOnCanvas(env, sheet_, toWorld_);
+  unit_ = grip_.hold == SheetHold::Fork ? wayOnCanvas(env, fork(), toWorld_) : railOnCanvas(env, sheet_, toWorld_);
   env.ui.layers.part = sheet_.part;
   env.ui.layers.at = before_;
-  env.ui.layers.held = hold_ == SheetHold::Knob;
+  env.ui.layers.held = grip_.hold == SheetHold::Knob;
 }
 
 void SheetTool::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
   if (!watch_.moved()) return;
-  if (hold_ == SheetHold::Knob) lift(env, event);
-  if (hold_ == SheetHold::Sheet) draw(env, event);
+  if (grip_.hold == SheetHold::Link) {  // a line may begin on a mark
+    const auto start = app::onSheet(sheet_, toWorld_, env.ui, watch_.start());
+    if (start && app::isOnSheet(sheet_, *start)) grip_.hold = SheetHold::Sheet;
+  }
+  if (grip_.hold == SheetHold::Knob) lift(env, event);
+  if (grip_.hold == SheetHold::Sheet) draw(env, event);
+  if (grip_.hold == SheetHold::Fork) raise(env, event);
+}
+
+void SheetTool::raise(const ToolEnv& env, const ToolEvent& event) {
+  const document::Part* part = document::findPart(env.document, sheet_.part);
+  if (part == nullptr) return;
+  raised_ = std::clamp(fork().at + dot(event.at - watch_.start(), unit_) / dot(unit_, unit_), 0.0, 1.0);
+  app::Preview& preview = app::previewPart(env.ui, *part);
+  preview.recipe = app::withFork(sheet_.recipe, fork(), raised_);
+  preview.fresh = false;
 }
 
 void SheetTool::lift(const ToolEnv& env, const ToolEvent& event) {
@@ -114,13 +151,18 @@ void SheetTool::commit(const ToolEnv& env) {
   env.ui.preview.reset();
   if (line.size() > 1) {
     env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
-  } else if (hold_ == SheetHold::Knob) {
+  } else if (grip_.hold == SheetHold::Knob) {
     env.sink.run(app::seeSheet);
+  } else if (grip_.hold == SheetHold::Fork && watch_.moved()) {
+    env.sink.run(app::remakeLayers, sheet_.part, app::withFork(sheet_.recipe, fork(), raised_));
+  } else if (grip_.hold == SheetHold::Link && !watch_.moved()) {
+    const app::LayerLink& link = joints_.links[static_cast<std::size_t>(grip_.joint)];
+    env.sink.run(app::remakeLayers, sheet_.part, app::withLink(sheet_.recipe, link, !link.on));
   }
 }
 
 void SheetTool::cancel(const ToolEnv& env) {
-  if (hold_ == SheetHold::Knob) env.ui.layers.at = before_;
+  if (grip_.hold == SheetHold::Knob) env.ui.layers.at = before_;
   env.ui.layers.line.clear();
   env.ui.layers.held = false;
   env.ui.preview.reset();

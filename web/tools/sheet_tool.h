@@ -2,14 +2,19 @@
 // rail.
 #pragma once
 
+#include "web/edit/layer_joints.h"
 #include "web/edit/layers.h"
 #include "web/tools/pick.h"
 
 namespace spineloft::tools {
 
 using app::SheetHold;
-/// What a press there is for.
-SheetHold holdAt(const ToolEnv& env, const ToolEvent& event);
+/// What a press there is for, and of which link or fork.
+struct SheetGrip {
+  SheetHold hold = SheetHold::Nothing;
+  int joint = -1;
+};
+SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event);
 /// The wheel above the sheet takes it along its rail; false elsewhere. `by` in CSS pixels of the wheel, down is
 /// positive.
 bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by);
@@ -24,14 +29,18 @@ class SheetTool final : public Tool {
  private:
   void lift(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
+  void raise(const ToolEnv& env, const ToolEvent& event);
+  const app::LayerFork& fork() const { return joints_.forks[static_cast<std::size_t>(grip_.joint)]; }
 
   DragWatch watch_;
-  SheetHold hold_ = SheetHold::Nothing;
+  SheetGrip grip_;
   app::Sheet sheet_;           ///< as the press found it
+  app::LayerJoints joints_;    ///< the same
   pipeline::ToWorld toWorld_;  ///< the same
   app::ClientPoint last_;      ///< of the line
-  app::ClientPoint unit_;      ///< a whole rail on the canvas, CSS pixels
+  app::ClientPoint unit_;      ///< a whole rail on the canvas, or the way of a fork, CSS pixels
   double before_ = 0;          ///< where the sheet was
+  double raised_ = 0;          ///< where the fork is
 };
 
 }  // namespace spineloft::tools

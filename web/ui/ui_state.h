@@ -154,7 +154,13 @@ enum class GizmoHandle : std::uint8_t {
 };
 
 /// What is under the pointer of the sheet for layers.
-enum class SheetHold : std::uint8_t { Nothing, Knob, Sheet };
+enum class SheetHold : std::uint8_t {
+  Nothing,
+  Knob,
+  Sheet,
+  Link,  ///< the mark of two curves that become each other, or might
+  Fork,  ///< the knob of a fork
+};
 
 /// What lies under the pointer: lit in the views, and what a press would act on.
 struct Hover {
@@ -168,6 +174,7 @@ struct Hover {
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
   SheetHold sheet = SheetHold::Nothing;
+  int joint = -1;                    ///< which link or fork that is (see jointsOf)
   int bone = -1;                     ///< of boneHandles of the selected puff
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
   int shape = -1;                    ///< of shapeHandles of the shape in hand

@@ -249,7 +249,11 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].as = stack::CurveUse::Ground; }));
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].width = 1; }));
   CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].base = 1; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].forkAt = 0; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[1].curves[0].joinAt = 0; }));
+  CHECK(changes([](StackRecipe& r) { r.planes[0].links = {{0, 0, true}}; }));
   CHECK(changes([](StackRecipe& r) { r.stack.patterns = {{0, 0, 1, 0}}; }));
+  CHECK(changes([](StackRecipe& r) { r.stack.melt = 1; }));
   CHECK(changes([](StackRecipe& r) { r.stack.rough.amount = 1; }));
   CHECK(changes([](StackRecipe& r) { r.stack.rough.size = 1; }));
   CHECK(changes([](StackRecipe& r) { r.stack.rough.seed = 1; }));
@@ -264,7 +268,7 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   Cache cache;  // which knows no edges
   const auto shape = derive(document, cache).parts.back().shape;
   REQUIRE(shape);
-  CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value());
+  CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value().mesh);
 }
 
 TEST_CASE("while the slice of a puff is dragged its skeleton and fields are those that are known") {

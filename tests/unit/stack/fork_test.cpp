@@ -1,12 +1,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "engine/base/rng.h"
 #include "engine/mesh/self_crossing.h"
+#include "engine/mesh/topology.h"
 #include "engine/stack/stack.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/support/plane_cut.h"
@@ -38,9 +40,9 @@ Plane level(double height, std::vector<Curve> curves) {
 }
 
 mesh::TriMesh made(const std::vector<Plane>& planes) {
-  const Result<mesh::TriMesh> mesh = stackPlanes({planes, {}, {}}, kPaper);
-  REQUIRE_MESSAGE(mesh.ok(), failureSentence(mesh.ok() ? Failure{} : mesh.failure()));
-  return mesh.value();
+  const Result<Stacked> stacked = stackPlanes({planes, {}, {}}, kPaper);
+  REQUIRE_MESSAGE(stacked.ok(), failureSentence(stacked.ok() ? Failure{} : stacked.failure()));
+  return stacked.value().mesh;
 }
 
 /// Lawful, of one piece with so many handles, and not through itself.
@@ -176,4 +178,210 @@ TEST_CASE("wild forks are lawful and do not go through themselves") {
     through += mesh::selfCrossing(mesh).has_value();
   }
   CHECK(through <= all / 100);
+}
+
+namespace {
+
+/// All that is said about two sheets, in which every pair of curves is either linked or not.
+std::vector<CurveLink> onlyLinks(std::uint32_t below, std::uint32_t above,
+                                 const std::vector<std::array<std::uint32_t, 2>>& on) {
+  std::vector<CurveLink> links;
+  for (std::uint32_t i = 0; i < below; ++i) {
+    for (std::uint32_t j = 0; j < above; ++j) {
+      links.push_back({i, j, std::ranges::find(on, std::array{i, j}) != on.end()});
+    }
+  }
+  return links;
+}
+
+Failure failureOf(const std::vector<Plane>& planes) {
+  const Result<Stacked> stacked = stackPlanes({planes, {}, {}}, kPaper);
+  REQUIRE_FALSE(stacked.ok());
+  return stacked.failure();
+}
+
+}  // namespace
+
+TEST_CASE("two curves become two others across each other, as they are linked: a piece, or a ring") {
+  Plane low = level(0, kTwo);
+  const Plane high = level(300, {circle(70, {0, -120}), circle(70, {0, 120})});
+  low.links = onlyLinks(2, 2, {{0, 0}, {0, 1}, {1, 1}});
+  const mesh::TriMesh piece = made({low, high});
+  requireOne(piece, 0);
+  const auto at = [&](double height) { return cutBy(piece, {{0, 0, height}, {1, 0, 0}, {0, 1, 0}}); };
+  const auto below = [](SectionPoint p) { return distance(p, {-120, 0}) < 70 || distance(p, {120, 0}) < 70; };
+  const auto above = [](SectionPoint p) { return distance(p, {0, -120}) < 70 || distance(p, {0, 120}) < 70; };
+  CHECK(overlapShare(at(0.01), below, {-200, -200}, {200, 200}) >= 0.995);
+  CHECK(overlapShare(at(299.99), above, {-200, -200}, {200, 200}) >= 0.995);
+  low.links = onlyLinks(2, 2, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  requireOne(made({low, high}), 1);
+}
+
+TEST_CASE("curves in rows, linked each with its neighbours, are one piece without a handle") {
+  int through = 0;
+  const int all = rounds(30);
+  for (int seed = 0; seed < all; ++seed) {
+    CAPTURE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const auto row = [&](std::uint32_t count) {
+      std::vector<Curve> curves;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const double place = (i + 0.5) / count - 0.5, room = 180.0 / count;
+        curves.push_back(circle(room * rng.uniform(0.5, 0.8), {360 * place, rng.uniform(-10, 10)}));
+      }
+      return curves;
+    };
+    const auto below = static_cast<std::uint32_t>(1 + rng.below(4)),
+               above = static_cast<std::uint32_t>(1 + rng.below(4));
+    std::vector<std::array<std::uint32_t, 2>> on{{0, 0}};
+    while (on.back() != std::array{below - 1, above - 1}) {
+      auto [i, j] = on.back();
+      const bool right = j + 1 == above || (i + 1 < below && rng.below(2) == 0);
+      on.push_back({i + (right ? 1 : 0), j + (right ? 0 : 1)});
+    }
+    Plane low = level(0, row(below));
+    low.links = onlyLinks(below, above, on);
+    const mesh::TriMesh mesh = made({low, level(rng.uniform(200, 300), row(above))});
+    const mesh::MeshReport report = requireLawful(mesh);
+    CHECK(report.genus == 0);
+    CHECK(report.shells == 1);
+    through += mesh::selfCrossing(mesh).has_value();
+  }
+  CHECK(through <= all / 15);
+}
+
+TEST_CASE("a link that is cut leaves a curve that ends, and one that is wanted joins curves far from each other") {
+  Plane low = level(0, {circle(100)});
+  low.links = {{0, 1, false}};
+  const mesh::TriMesh arm = made({low, level(300, kTwo)});
+  CHECK(requireOne(arm, 0).volume < 0.7 * requireLawful(made({level(0, {circle(100)}), level(300, kTwo)})).volume);
+  Plane apart = level(0, {circle(20, {-300, 0}), circle(20, {300, 0})});
+  const Plane top = level(100, {circle(20, {-300, 0})});
+  CHECK(requireLawful(made({apart, top})).volume < 150000);
+  apart.links = {{1, 0, true}};
+  CHECK(requireOne(made({apart, top}), 0).volume > 150000);
+}
+
+TEST_CASE("a fork and a join are as high as they are said to be") {
+  constexpr double kTouch = 35;
+  for (const double share : {0.2, 0.5, 0.8}) {
+    CAPTURE(share);
+    Plane low = level(0, {circle(100)});
+    low.curves[0].forkAt = share;
+    const double above = forkOf(made({low, level(300, kTwo)}), 10, 290) - 300 * share;
+    CHECK(above > -5);  // the arms touch for a while above the cut
+    CHECK(above < kTouch);
+    Plane high = level(300, {circle(100)});
+    high.curves[0].joinAt = share;
+    const mesh::TriMesh down = made({level(0, kTwo), high});
+    requireOne(down, 0);
+    for (double height = 5; height < 295; height += 10) {
+      const double below = 300 * (1 - share) - height;
+      if (below > -5 && below < kTouch) continue;
+      CHECK(isJoined(down, height) == (below < 0));
+    }
+  }
+}
+
+namespace {
+
+mesh::TriMesh melted(const std::vector<Plane>& planes, double melt) {
+  StackParams params;
+  params.melt = melt;
+  const Result<Stacked> stacked = stackPlanes({planes, {}, params}, kPaper);
+  REQUIRE(stacked.ok());
+  return stacked.value().mesh;
+}
+
+/// The sharpest edge above one level and below another and at most so far from the middle between two arms, degrees.
+double sharpest(const mesh::TriMesh& mesh, double low, double high, double aside) {
+  const mesh::Twins twins = mesh::findTwins(mesh);
+  const auto at = [&](std::uint32_t v) {
+    const auto& p = mesh.positions[v];
+    return ModelPoint{p[0], p[1], p[2]};
+  };
+  const auto normalOf = [&](const auto& t) { return normalized(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]))); };
+  double most = 0;
+  for (std::uint32_t h = 0; h < twins.of.size(); ++h) {
+    const ModelPoint a = at(mesh::cornerVertex(mesh, h)), b = at(mesh::cornerVertex(mesh, mesh::nextHalfEdge(h)));
+    if (std::min(a.z, b.z) < low || std::max(a.z, b.z) > high) continue;
+    if (std::max(std::abs(a.x), std::abs(b.x)) > aside) continue;
+    const double along = dot(normalOf(mesh.triangles[h / 3]), normalOf(mesh.triangles[twins.of[h] / 3]));
+    most = std::max(most, std::acos(std::clamp(along, -1.0, 1.0)) * 180 / kPi);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a melted fork has no crease, and what was drawn is where it was") {
+  for (const bool up : {true, false}) {
+    const Plane one = level(up ? 0 : 300, {circle(100)}), two = level(up ? 300 : 0, kTwo);
+    const std::vector<Plane> planes = up ? std::vector{one, two} : std::vector{two, one};
+    const mesh::TriMesh sharp = melted(planes, 0), soft = melted(planes, 0.5);
+    requireOne(soft, 0);
+    CHECK(sharpest(sharp, 20, 280, 25) > 120);
+    CHECK(sharpest(soft, 20, 280, 25) < 35);
+    for (const double height : {0.01, 299.99}) {
+      const auto at = [&](const mesh::TriMesh& mesh) { return cutBy(mesh, {{0, 0, height}, {1, 0, 0}, {0, 1, 0}}); };
+      const PlaneCut drawn = at(sharp);
+      CHECK(overlapShare(at(soft), [&](SectionPoint p) { return drawn.holds(p); }, {-200, -200}, {200, 200}) >= 0.995);
+    }
+  }
+}
+
+TEST_CASE("forks of any kind are lawful and sound when melted, and have as many handles as before") {
+  const std::vector<Curve> feet{circle(25, {-70, -70}), circle(25, {70, -70}), circle(25, {70, 70}),
+                                circle(25, {-70, 70})};
+  const std::vector<Curve> roots{circle(30, {-60, -40}), circle(30, {60, -40}), circle(35, {0, 55})};
+  Plane crossed = level(0, kTwo);
+  crossed.links = onlyLinks(2, 2, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  const Plane across = level(300, {circle(70, {0, -120}), circle(70, {0, 120})});
+  const std::vector<std::vector<Plane>> all{{level(0, {circle(120)}), level(300, feet)},
+                                            {level(0, {circle(100)}), level(300, roots)},
+                                            {crossed, across},
+                                            {level(0, {circle(100)}), level(300, kTwo), level(600, {circle(100)})}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CAPTURE(i);
+    const mesh::TriMesh soft = melted(all[i], 0.5);
+    requireOne(soft, requireLawful(melted(all[i], 0)).genus);
+    CHECK(soft.triangles.size() > melted(all[i], 0).triangles.size());  // some of it is round at least
+  }
+}
+
+TEST_CASE("copies of a pattern are linked as the planes that they copy") {
+  Plane trunk, arms, end;
+  trunk.curves = {circle(60)};
+  trunk.links = {{0, 1, false}};
+  arms.at = 0.2;
+  arms.curves = {circle(30, {-50, 0}), circle(30, {50, 0})};
+  end.at = 1;
+  end.curves = {circle(50)};
+  const Rail rail{{{0, 0, 0}, {0, 0, 500}}, false};
+  StackParams repeated;
+  repeated.patterns = {{0, 1, 2, 0.4}};
+  Plane second = trunk, third = arms;
+  second.at = 0.4;
+  third.at = arms.at + 0.4;
+  const std::vector<Plane> once{trunk, arms, end}, written{trunk, arms, second, third, end};
+  const auto copied = stackPlanes({once, rail, repeated}, kPaper), drawn = stackPlanes({written, rail, {}}, kPaper);
+  REQUIRE(copied.ok());
+  REQUIRE(drawn.ok());
+  CHECK(copied.value().mesh == drawn.value().mesh);
+}
+
+TEST_CASE("links that cannot be are refused with a sentence that names them") {
+  const auto said = [](std::vector<CurveLink> links, std::vector<Curve> above = kTwo) {
+    Plane low = level(0, {circle(100), circle(60)});
+    low.links = std::move(links);
+    return failureOf({low, level(300, std::move(above))}).detail;
+  };
+  CHECK(said({{0, 2}}) == "sheet 1 links curve 1 with curve 3 of the next: there is no such curve");
+  CHECK(said({{0, 1}, {0, 1, false}}) == "sheet 1 says twice whether curve 1 becomes curve 2: say it once");
+  CHECK(said({{1, 0}}) ==
+        "curve 2 on sheet 1 is linked with curve 1 on sheet 2, and only one of them is a hole: link holes with holes");
+  Plane high = level(300, kTwo);
+  high.links = {{0, 0}};
+  CHECK(failureOf({level(0, {circle(100)}), high}).detail ==
+        "sheet 2 has links, and no sheet follows it: take them out");
 }

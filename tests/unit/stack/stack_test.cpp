@@ -71,15 +71,15 @@ Rail ring(double radius) {
 }
 
 mesh::TriMesh made(const std::vector<Plane>& planes, const Rail& rail = {}, const StackParams& params = {}) {
-  const Result<mesh::TriMesh> mesh = stackPlanes({planes, rail, params}, kPaper);
-  REQUIRE_MESSAGE(mesh.ok(), failureSentence(mesh.ok() ? Failure{} : mesh.failure()));
-  return mesh.value();
+  const Result<Stacked> stacked = stackPlanes({planes, rail, params}, kPaper);
+  REQUIRE_MESSAGE(stacked.ok(), failureSentence(stacked.ok() ? Failure{} : stacked.failure()));
+  return stacked.value().mesh;
 }
 
 std::string refused(const std::vector<Plane>& planes, const Rail& rail = {}) {
-  const Result<mesh::TriMesh> mesh = stackPlanes({planes, rail, {}}, kPaper);
-  REQUIRE(!mesh.ok());
-  return failureSentence(mesh.failure());
+  const Result<Stacked> stacked = stackPlanes({planes, rail, {}}, kPaper);
+  REQUIRE(!stacked.ok());
+  return failureSentence(stacked.failure());
 }
 
 /// The farthest that a vertex of one mesh is from the nearest of the other.

@@ -403,3 +403,123 @@ TEST_CASE("blend and bumps are set for all layers, in one step each, and what is
   CHECK_FALSE(works(rig, "layer-wall", R"({"width": 4})"));
   CHECK(rig.app->history() == before);
 }
+
+namespace {
+
+/// A page with a Y: a circle, and two above it on a sheet that lies on them.
+struct Forked : Paper {
+  explicit Forked(platform::CanvasSize size = {1200, 700, 1}) : Paper(size) {
+    circle(0, 0, 0.4);
+    REQUIRE(works(*this, "layer-sheet", R"({"at": 0.8})"));
+    circle(-0.5, 0, 0.25);
+    circle(0.5, 0, 0.25);
+  }
+  app::Json::Array joints(std::string_view key) { return *sheet().find(key)->array(); }
+  app::ClientPoint placeOf(const app::Json& joint, std::string_view key) {
+    const app::Json::Array& place = *joint.find(key)->array();
+    return {*place[0].number(), *place[1].number()};
+  }
+  std::vector<bool> linked() {
+    std::vector<bool> on;
+    for (const app::Json& link : joints("links")) on.push_back(link.flag("on") == true);
+    return on;
+  }
+  double steps() { return *state().number("undo"); }
+};
+
+}  // namespace
+
+TEST_CASE("a tap on the dot of a link parts two curves, another one joins them, and each is a step") {
+  for (const auto device : {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen}) {
+    Forked rig;
+    REQUIRE(rig.linked() == std::vector{true, true});
+    const app::ClientPoint dot = rig.placeOf(rig.joints("links")[1], "mark");
+    const double before = rig.steps();
+    const auto tap = [&] {
+      rig.pointer(platform::PointerKind::Down, dot.x, dot.y, device);
+      rig.pointer(platform::PointerKind::Up, dot.x, dot.y, device);
+      rig.settle();
+    };
+    tap();
+    CHECK(rig.linked() == std::vector{true, false});
+    CHECK(rig.joints("forks").empty());
+    CHECK(rig.steps() == before + 1);
+    CHECK(layersOf(rig).planes[0].links == std::vector<stack::CurveLink>{{0, 1, false}});
+    tap();
+    CHECK(rig.linked() == std::vector{true, true});
+    REQUIRE(works(rig, "undo"));
+    REQUIRE(works(rig, "undo"));
+    CHECK(layersOf(rig).planes[0].links.empty());
+    CHECK(rig.joints("forks").size() == 1);
+  }
+}
+
+TEST_CASE("the knob of a fork moves it, the solid follows, and no step is kept until it is let go") {
+  Forked rig;
+  const app::Json fork = rig.joints("forks").at(0);
+  CHECK(fork.flag("up") == true);
+  const double at = *fork.number("at"), before = rig.steps();
+  const app::ClientPoint knob = rig.placeOf(fork, "knob");
+  rig.pointer(platform::PointerKind::Down, knob.x, knob.y);
+  for (int i = 1; i <= 10; ++i) rig.pointer(platform::PointerKind::Move, knob.x, knob.y - 4 * i);
+  rig.settle();
+  CHECK(rig.state().find("preview")->number("triangles").value_or(0) > 100);
+  CHECK(rig.steps() == before);
+  CHECK_FALSE(layersOf(rig).planes[0].curves[0].forkAt);
+  rig.pointer(platform::PointerKind::Up, knob.x, knob.y - 40);
+  rig.settle();
+  CHECK(rig.steps() == before + 1);
+  REQUIRE(layersOf(rig).planes[0].curves[0].forkAt);
+  CHECK(*layersOf(rig).planes[0].curves[0].forkAt > at + 0.05);
+  CHECK(*rig.joints("forks").at(0).number("at") == doctest::Approx(*layersOf(rig).planes[0].curves[0].forkAt));
+  rig.pointer(platform::PointerKind::Down, knob.x, knob.y - 40);
+  rig.pointer(platform::PointerKind::Move, knob.x, knob.y);
+  rig.key("Escape", "Escape");
+  CHECK(rig.steps() == before + 1);
+}
+
+TEST_CASE("a line may begin on a dot that lies over the sheet") {
+  Forked rig;
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
+  const app::ClientPoint dot = rig.placeOf(rig.joints("links").at(0), "mark");
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 40;
+    const app::ClientPoint at = dot + app::ClientPoint{30 * (1 - std::cos(angle)), 20 * std::sin(angle)};
+    rig.pointer(i == 0 ? platform::PointerKind::Down : platform::PointerKind::Move, at.x, at.y);
+  }
+  rig.pointer(platform::PointerKind::Up, dot.x, dot.y);
+  rig.settle();
+  CHECK(layersOf(rig).planes.size() == 3);
+}
+
+TEST_CASE("what is said about links goes with the curves and layers that it is about") {
+  Forked rig;
+  REQUIRE(works(rig, "layer-link", R"({"link": 0, "on": false})"));
+  REQUIRE(layersOf(rig).planes[0].links.size() == 1);
+  rig.circle(-0.55, 0, 0.25);  // over the first of the two
+  const document::StackRecipe redrawn = layersOf(rig);
+  REQUIRE(redrawn.planes[1].curves.size() == 2);
+  CHECK(redrawn.planes[0].links.empty());
+  REQUIRE(works(rig, "layer-link", R"({"link": 1, "on": false})"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.4})"));
+  rig.circle(0, 0, 0.4);
+  REQUIRE(layersOf(rig).planes.size() == 3);
+  CHECK(layersOf(rig).planes[0].links.empty());  // another layer follows it now
+  REQUIRE(works(rig, "layer-remove"));
+  CHECK(layersOf(rig).planes.size() == 2);
+}
+
+TEST_CASE("links and forks by numbers: refusals say what to name") {
+  Forked rig;
+  const auto sentence = [&](std::string_view id, std::string_view args) { return *rig.run(id, args).text("sentence"); };
+  CHECK(sentence("layer-link", R"({"link": 7})").find("the number of one of the sheet's") != std::string::npos);
+  CHECK(sentence("layer-fork", R"({"at": 2})").find("0…1") != std::string::npos);
+  REQUIRE(works(rig, "layer-fork", R"({"at": 0.75})"));
+  CHECK(layersOf(rig).planes[0].curves[0].forkAt == 0.75);
+  REQUIRE(works(rig, "layer-link", R"({"link": 0})"));
+  REQUIRE(works(rig, "layer-sheet", R"({"at": 0})"));
+  CHECK_FALSE(rig.linked().empty());
+  // Without any link there would be no solid: it stays as it is.
+  CHECK_FALSE(works(rig, "layer-link", R"({"link": 1, "on": false})"));
+  CHECK(rig.parts() == 1);
+}
