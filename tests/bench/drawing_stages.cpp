@@ -6,18 +6,13 @@
 #include <vector>
 
 #include "engine/descriptive/model.h"
+#include "tests/bench/must.h"
 #include "tests/unit/descriptive/drawings.h"
 
 namespace spineloft::bench {
 namespace {
 
 using namespace descriptive;
-
-template <class T>
-T must(Result<T> result) {
-  if (!result.ok()) std::exit(1);
-  return std::move(result).value();
-}
 
 /// `count` discs on a spiral, each over the one before it.
 Drawing chain(std::uint32_t count) {

@@ -19,6 +19,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/vision/edges.h"
 #include "tests/bench/accuracy/d2_grid.h"
+#include "tests/bench/must.h"
 #include "tests/bench/scene.h"
 
 #ifdef __EMSCRIPTEN__
@@ -50,12 +51,6 @@ double peakMegabytes() {
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024;
 #endif
-}
-
-template <class T>
-T must(Result<T> result) {
-  if (!result.ok()) std::exit(1);
-  return std::move(result).value();
 }
 
 // A picture with its edges, as the page holds them while a stroke is drawn.

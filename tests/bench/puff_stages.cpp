@@ -12,18 +12,13 @@
 #include "engine/geometry/region.h"
 #include "engine/inflate/bone_edits.h"
 #include "engine/pipeline/derive.h"
+#include "tests/bench/must.h"
 #include "tests/support/named_shapes.h"
 
 namespace spineloft::bench {
 namespace {
 
 constexpr image::Size kPicture{500, 500};
-
-template <class T>
-T must(Result<T> result) {
-  if (!result.ok()) std::exit(1);
-  return std::move(result).value();
-}
 
 double pointsOf(const document::InflateRecipe& recipe) {
   return static_cast<double>(must(pipeline::regionStage(recipe, kPicture)).mesh.positions.size());

@@ -23,6 +23,8 @@
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
 #include "tests/bench/drawing_stages.h"
+#include "tests/bench/layer_stages.h"
+#include "tests/bench/must.h"
 #include "tests/bench/pen_stages.h"
 #include "tests/bench/puff_stages.h"
 #include "tests/bench/report.h"
@@ -34,15 +36,6 @@ using namespace spineloft;
 
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-  if (!result.ok()) {
-    std::cerr << "spineloft_bench: " << failureSentence(result.failure()) << '\n';
-    std::exit(1);
-  }
-  return std::move(result).value();
-}
-
 std::string fileText(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -50,16 +43,16 @@ std::string fileText(const std::string& path) {
 
 /// One line of JSON a stroke.
 void printRibs(const std::string& folder) {
-  const io::BenchCase one = must(io::readBenchCase(fileText(folder + "/case.json")));
+  const io::BenchCase one = bench::must(io::readBenchCase(fileText(folder + "/case.json")));
   const std::string text = fileText(folder + "/" + one.image);
   const io::Bytes bytes(text.begin(), text.end());
-  const image::Picture picture = must(io::decodePicture(bytes, Progress()));
-  const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
+  const image::Picture picture = bench::must(io::decodePicture(bytes, Progress()));
+  const image::EdgeMap edges = bench::must(vision::detectEdges(picture, {}, Progress()));
   for (const auto& [name, stroke] : one.strokes) {
     document::LoftRecipe recipe;
     recipe.stroke = stroke;
     const image::Size size{picture.width, picture.height};
-    std::cout << io::writeRibs(must(pipeline::shapePart(recipe, edges, size, Progress())).ribs);
+    std::cout << io::writeRibs(bench::must(pipeline::shapePart(recipe, edges, size, Progress())).ribs);
   }
 }
 
@@ -69,10 +62,10 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
                  const std::vector<PicturePoint>& stroke) {
   using namespace document;
   const auto shared = std::make_shared<const image::Picture>(picture);
-  Document model = must(update({}, AddPicture{"tube", shared}));
+  Document model = bench::must(update({}, AddPicture{"tube", shared}));
   for (std::uint32_t part = 1; part <= 8; ++part) {
-    model = must(update(model, DrawSpine{PictureId{1}, stroke}));
-    model = must(update(model, SetParameter{PartId{part}, "ribs", 60}));
+    model = bench::must(update(model, DrawSpine{PictureId{1}, stroke}));
+    model = bench::must(update(model, SetParameter{PartId{part}, "ribs", 60}));
   }
   pipeline::Cache cache;
   cache.keepEdges(model.pictures[0]->contentHash, std::make_shared<const image::EdgeMap>(edges));
@@ -84,10 +77,10 @@ void timeRibDrag(bench::Report& report, const image::Picture& picture, const ima
   report.stage("rib drag to mesh", kMoves, [&](int move) {
     LoftRecipe recipe = *document::loftOf(*model.parts[3]);
     recipe.edits = dragged(move);
-    must(pipeline::previewShape(model, recipe, cache));
+    bench::must(pipeline::previewShape(model, recipe, cache));
   });
   report.stage("rib edit of 8 parts", kMoves, [&](int move) {
-    model = must(update(model, EditRibs{PartId{4}, dragged(move)}));
+    model = bench::must(update(model, EditRibs{PartId{4}, dragged(move)}));
     pipeline::derive(model, cache);
   });
 }
@@ -97,37 +90,38 @@ void reportRegionStages(bench::Report& report) {
   const document::Region region{PictureId{1}, bench::blob(), 0};
   const document::ExtrudeRecipe extrude{region, {}};
   const document::LatheRecipe spun{region, {{40, 0}, {40, 499}}};
-  report.stage("flat piece of 400 px", 51, [&](int) { must(pipeline::regionStage(extrude, {500, 500})); });
-  report.stage("spun ring of 400 px", 51, [&](int) { must(pipeline::regionStage(spun, {500, 500})); });
+  report.stage("flat piece of 400 px", 51, [&](int) { bench::must(pipeline::regionStage(extrude, {500, 500})); });
+  report.stage("spun ring of 400 px", 51, [&](int) { bench::must(pipeline::regionStage(spun, {500, 500})); });
 }
 
 void printStageTimes() {
   const image::Size size{1024, 768}, photo{2304, 1728};
   const image::Picture picture = bench::tubePicture(size), large = bench::tubePicture(photo);
   const Progress progress;
-  const image::EdgeMap edges = must(vision::detectEdges(picture, {}, progress));
+  const image::EdgeMap edges = bench::must(vision::detectEdges(picture, {}, progress));
 
   bench::Report report;
-  report.stage("edges 1024x768", 15, [&](int) { must(vision::detectEdges(picture, {}, progress)); });
+  report.stage("edges 1024x768", 15, [&](int) { bench::must(vision::detectEdges(picture, {}, progress)); });
   const std::pair<const char*, image::Size> sizes[] = {
       {"quarter", {576, 432}}, {"1", {1152, 864}}, {"2", {1632, 1224}}};
   for (const auto& [megapixels, of] : sizes) {
     const image::Picture one = bench::tubePicture(of);
     report.stage(std::string("edges of a ") + megapixels + "-megapixel picture", 15,
-                 [&](int) { must(vision::detectEdges(one, {}, progress)); });
+                 [&](int) { bench::must(vision::detectEdges(one, {}, progress)); });
   }
-  report.stage("edges of a 4-megapixel picture", 15, [&](int) { must(vision::detectEdges(large, {}, progress)); });
+  report.stage("edges of a 4-megapixel picture", 15,
+               [&](int) { bench::must(vision::detectEdges(large, {}, progress)); });
   document::LoftRecipe recipe;
   recipe.stroke = bench::tubeStroke(size, 200);
   bench::reportRibStages(edges, size, report);
   bench::reportInvariance(edges, size, report);
   bench::reportFieldStages(report);
   recipe.spine.ribs = 100;
-  const pipeline::PartShape shape = must(pipeline::shapePart(recipe, edges, size, progress));
+  const pipeline::PartShape shape = bench::must(pipeline::shapePart(recipe, edges, size, progress));
   loft::LoftParams params;
   params.sectionPoints = 64;
   // As under the pen: in memory that is there, and often enough that a browser has compiled it for good.
-  const loft::PosedSpine atRest = must(loft::poseSpine(shape.spine, {}));
+  const loft::PosedSpine atRest = bench::must(loft::poseSpine(shape.spine, {}));
   loft::LoftWorkspace memory;
   mesh::TriMesh mesh;
   report.stage("loft 100x64", 501, [&](int) {
@@ -142,6 +136,7 @@ void printStageTimes() {
   bench::reportPuffStages(report);
   reportRegionStages(report);
   bench::reportDrawingStages(report);
+  bench::reportLayerStages(report);
   bench::reportPenStages(picture, edges, report);
   timeRibDrag(report, picture, edges, recipe.stroke);
   bench::reportTwoWorkers(picture, report);
@@ -166,7 +161,7 @@ void printPrograms(std::uint64_t count) {
     const nlohmann::json line{{"energy", rowsOf(program.energy)},
                               {"linear", program.qp.linear},
                               {"rows", rows},
-                              {"z", must(geometry::solveQp(program.qp)).z}};
+                              {"z", bench::must(geometry::solveQp(program.qp)).z}};
     std::cout << line.dump() << '\n';
   }
 }
@@ -183,7 +178,7 @@ int main(int count, char** words) {
     bench::reportPhoto(report);
   } else if (count == 2 && std::string(words[1]) == "--pen") {
     const image::Picture picture = bench::tubePicture({1024, 768});
-    const image::EdgeMap edges = must(vision::detectEdges(picture, {}, Progress()));
+    const image::EdgeMap edges = bench::must(vision::detectEdges(picture, {}, Progress()));
     bench::Report report;
     bench::reportPenStages(picture, edges, report);
   } else if (count == 2 && std::string(words[1]) == "--puffs") {
@@ -193,15 +188,18 @@ int main(int count, char** words) {
   } else if (count == 2 && std::string(words[1]) == "--drawings") {
     bench::Report report;
     bench::reportDrawingStages(report);
+  } else if (count == 2 && std::string(words[1]) == "--layers") {
+    bench::Report report;
+    bench::reportLayerStages(report);
   } else if (count == 2 && std::string(words[1]) == "--workers") {
     bench::Report report;
     bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --workers, --programs and a number, "
-                 "or --ribs and a "
-                 "case folder\n";
+    std::cerr
+        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --workers, --programs and a "
+           "number, or --ribs and a case folder\n";
     return 2;
   }
   return 0;
