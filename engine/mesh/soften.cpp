@@ -283,7 +283,7 @@ void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std:
 std::vector<std::array<float, 3>> soften(TriMesh& mesh, std::vector<Crease> creases,
                                          std::vector<std::uint32_t>& regions,
                                          const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold) {
-  constexpr double kLongest = 0.25, kMargin = 1.25;  // of the reach
+  constexpr double kLongest = 0.35, kMargin = 1.25;  // of the reach
   constexpr int kMostRounds = 6;
   for (Crease& crease : creases) {
     follow(mesh, regions, crease);

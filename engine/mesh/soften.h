@@ -21,7 +21,7 @@ struct Crease {
 };
 
 /// Rounds a closed mesh, and gives the places of its vertices before they were moved. Edges near a crease that are
-/// longer than a quarter of its reach are split first, so that new vertices and triangles may come behind those that
+/// longer than 0.35 of its reach are split first, so that new vertices and triangles may come behind those that
 /// there are, with texture coordinates from between. `regions` (one a vertex, grows with the mesh) says which are fixed
 /// and stay, as new ones between two of them do; of others, by any number, which space they are in: `hold` brings a
 /// place back into it. New vertices are in the space of both their neighbours, or of the one that is not in 0.

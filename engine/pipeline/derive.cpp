@@ -101,6 +101,22 @@ Status elementShape(const document::ElementRecipe& recipe, const Made& from, Cac
   return Done{};
 }
 
+/// Rounding of forks takes most of the time: under a hand that moves it waits.
+Status stackShape(const document::StackRecipe& recipe, image::Size size, Purpose purpose, PartShape& shape,
+                  const Clock& clock) {
+  const bool waits = purpose == Purpose::Live && recipe.stack.melt > 0;
+  document::StackRecipe sharp;
+  if (waits) {
+    sharp = recipe;
+    sharp.stack.melt = 0;
+  }
+  Result<PartShape> made = stackStage(waits ? sharp : recipe, size, clock);
+  if (!made) return made.failure();
+  shape = std::move(made).value();
+  if (waits && !shape.ways.forks.empty()) shape.quality = TraceQuality::Live;
+  return Done{};
+}
+
 // In place of what `shape` held, which a failure leaves as it was.
 Status frontShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
   if (const auto* loft = std::get_if<document::LoftRecipe>(&from.recipe)) {
@@ -121,11 +137,12 @@ Status frontShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& 
   if (const auto* element = std::get_if<document::ElementRecipe>(&from.recipe)) {
     return elementShape(*element, from, cache, shape, clock);
   }
-  const auto* stack = std::get_if<document::StackRecipe>(&from.recipe);
+  if (const auto* stack = std::get_if<document::StackRecipe>(&from.recipe)) {
+    return stackShape(*stack, size, purpose, shape, clock);
+  }
   const auto* outlined = std::get_if<document::ShapeRecipe>(&from.recipe);
-  Result<PartShape> made = stack      ? stackStage(*stack, size, clock)
-                           : outlined ? outlineStage(*outlined, from.document, size, clock)
-                                      : regionStage(from.recipe, size, clock);
+  Result<PartShape> made =
+      outlined ? outlineStage(*outlined, from.document, size, clock) : regionStage(from.recipe, size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};

@@ -102,7 +102,7 @@ struct Ahead {
   std::vector<std::vector<std::size_t>> of;  ///< branches of each stem
 
   bool forks() const {
-    return std::ranges::any_of(of, [](const auto& branches) { return branches.size() > 1; });
+    return std::ranges::any_of(of, [](const auto& several) { return several.size() > 1; });
   }
   /// Of each stem that has several branches; `Cell::branch` counts all branches.
   std::vector<Cells> cells(Skin& skin) const {

@@ -92,9 +92,10 @@ Outcome useLayers(Env env, const Json&) {
 }
 
 /// Why planes make no solid, so that they are refused before they are kept.
-Status checkMade(Env env, const document::StackRecipe& recipe) {
+Status checkMade(Env env, document::StackRecipe recipe) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), recipe.picture);
   if (entry == nullptr) return Error::NoSuchPicture;
+  recipe.stack.melt = 0;  // what is made can be rounded
   const auto made = pipeline::stackStage(recipe, entry->size);
   return made ? Status(Done{}) : Status(made.failure());
 }

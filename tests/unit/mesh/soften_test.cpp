@@ -70,7 +70,7 @@ TEST_CASE("a softened ridge is lower and round, and what is fixed or out of reac
   const mesh::MeshReport report = requireLawful(soft);
   CHECK(report.volume < requireLawful(roof.mesh).volume);
   CHECK(regions.size() == soft.positions.size());
-  CHECK(soft.positions.size() > roof.mesh.positions.size());  // edges were longer than a quarter of the reach
+  CHECK(soft.positions.size() > roof.mesh.positions.size());  // edges were too long
   double highest = 0;
   for (std::size_t v = 0; v < roof.mesh.positions.size(); ++v) {
     const auto &p = roof.mesh.positions[v], &q = soft.positions[v];

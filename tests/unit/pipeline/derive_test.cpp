@@ -271,6 +271,28 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value().mesh);
 }
 
+TEST_CASE("under a hand a fork is sharp, and round when the hand rests") {
+  StackRecipe recipe{PictureId{1}, {}, {{{96, -120, 0}, {96, -20, 0}}, false}, {}};
+  recipe.planes.resize(2);
+  recipe.planes[0].curves = {{{{20, 0}, {0, 20}, {-20, 0}, {0, -20}}, {}}};
+  recipe.planes[1].at = 1;
+  for (const double x : {-30.0, 30.0}) {
+    recipe.planes[1].curves.push_back({{{x + 15, 0}, {x, 15}, {x - 15, 0}, {x, -15}}, {}});
+  }
+  StackRecipe melted = recipe;
+  melted.stack.melt = 0.5;
+  const Document document = ellipseDocument();
+  Cache cache;
+  const auto live = liveShape(document, melted, cache), rested = previewShape(document, melted, cache);
+  REQUIRE(live.ok());
+  REQUIRE(rested.ok());
+  CHECK(live.value().mesh == liveShape(document, recipe, cache).value().mesh);
+  CHECK(live.value().quality == TraceQuality::Live);  // a better one is to come
+  CHECK(rested.value().quality == TraceQuality::Final);
+  CHECK(rested.value().mesh.triangles.size() > live.value().mesh.triangles.size());
+  CHECK(liveShape(document, recipe, cache).value().quality == TraceQuality::Final);
+}
+
 TEST_CASE("while the slice of a puff is dragged its skeleton and fields are those that are known") {
   Document document = ellipseDocument();
   const Region region{PictureId{1}, {{{40, 40}, {150, 40}, {150, 100}, {40, 100}}}, 0};
