@@ -23,6 +23,7 @@ export const kSolidFigures = {
     ['y-fork', 'one becomes two', 'solid'],
     ['tooth', 'one becomes three', 'solid'],
     ['hand', 'one becomes five', 'solid'],
+    ['crossed-pipes', 'two become two others', 'solid'],
     ['vase', 'circles and a square', 'solid'],
   ],
 };
