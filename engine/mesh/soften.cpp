@@ -109,14 +109,19 @@ std::vector<bool> onRims(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   return rims;
 }
 
-/// The crease with the sharp edges that it runs out into, also over a fixed vertex at its end.
+/// The crease with the sharp edges between vertices of numbered regions that it runs out into, also over a fixed vertex
+/// at its end.
 void follow(const TriMesh& mesh, const std::vector<std::uint32_t>& regions, Crease& crease) {
   constexpr double kSharp = 0.9;  // cosine
   const std::vector<double> bends = bendsOf(mesh, findTwins(mesh));
+  std::vector<bool> numbered(mesh.positions.size());
+  for (std::size_t v = 0; v < numbered.size(); ++v) numbered[v] = regions[v] != 0;
+  for (const std::uint32_t v : crease.vertices) numbered[v] = true;
   std::vector<std::vector<std::uint32_t>> ends(mesh.positions.size()), sharp(mesh.positions.size());
   for (std::uint32_t h = 0; h < bends.size(); ++h) {
     const std::uint32_t a = cornerVertex(mesh, h), b = cornerVertex(mesh, nextHalfEdge(h));
     if (regions[a] == kFixed && regions[b] == kFixed) continue;
+    if (!numbered[a] || !numbered[b]) continue;
     if (regions[b] == kFixed) ends[a].push_back(b);
     if (bends[h] < kSharp) sharp[a].push_back(b);
   }
