@@ -236,6 +236,7 @@ Fitted fitted(ImFont* font, Text what, float width, float share) {
   std::string_view text = what.given ? what.words : words::tr(what.words);
   if (widthOf(text) * kLeast > width) text = text.substr(0, text.find_first_of(" -", 1));
   const float wide = widthOf(text), scale = wide > width ? std::max(kLeast, width / wide) : 1;
+  if (wide * kLeast <= width) return {words::drawn(text), share * scale};
   return {shortened(font, asIs(text), width, share * scale), share * scale};
 }
 

@@ -9,6 +9,7 @@
 #include "engine/base/rng.h"
 #include "tests/unit/web/rig.h"
 #include "tests/unit/web/shown.h"
+#include "web/panels/widgets.h"
 
 using namespace spineloft;
 using app::Json;
@@ -107,5 +108,19 @@ TEST_CASE(
     rig.run("redraw");
     rig.settle();
     clearWords(rig, size);
+  }
+}
+
+TEST_CASE("words that fit when they are a little smaller are not shortened") {
+  Rig rig;
+  rig.openBar();
+  ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+  const std::string_view words = "Half round";
+  const float wide = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.data(), words.data() + words.size()).x;
+  for (float share = 0.4f; share < 1.2f; share += 0.013f) {
+    CAPTURE(share);
+    const panels::Fitted fit = panels::fitted(font, panels::asIs(words), share * wide);
+    CHECK((fit.text == words) == (share >= 0.82f));
+    CHECK(fit.share >= 0.82f);
   }
 }
