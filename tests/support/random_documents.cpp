@@ -15,13 +15,13 @@ namespace {
 
 using namespace document;
 
-/// Of this kind as often as not: few documents have one of them.
+/// Of this kind three times of four, where there is one: few documents have one.
 PartId anyPartOf(Rng& rng, const Document& d, PartKind kind) {
   std::vector<PartId> found;
   for (const auto& part : d.parts) {
     if (kindOf(part->recipe) == kind) found.push_back(part->id);
   }
-  if (found.empty() || rng.below(2) == 0) return anyPart(rng, d);
+  if (found.empty() || rng.below(4) == 0) return anyPart(rng, d);
   return found[rng.below(static_cast<std::uint32_t>(found.size()))];
 }
 

@@ -162,11 +162,11 @@ std::vector<stack::Plane> anyPlanes(Rng& rng) {
     plane.blend.kind =
         static_cast<sections::BlendKind>(rng.below(static_cast<std::uint32_t>(sections::BlendKind::kCount)));
     if (rng.below(40) == 0) plane.at = rng.uniform(-1, 2);
-    if (rng.below(4) == 0 && (i + 1 < planes.size() || rng.below(9) == 0)) {
+    if (rng.below(4) == 0 && (i + 1 < planes.size() || rng.below(40) == 0)) {
       const auto count = static_cast<std::uint32_t>(plane.curves.size());
-      plane.links.push_back({rng.below(count), rng.below(9) == 0 ? 1u : 0u, rng.below(2) == 0});
+      plane.links.push_back({rng.below(count), rng.below(40) == 0 ? 1u : 0u, rng.below(2) == 0});
     }
-    if (rng.below(4) == 0) plane.curves[0].forkAt = rng.uniform(rng.below(9) == 0 ? -1 : 0, 1);
+    if (rng.below(4) == 0) plane.curves[0].forkAt = rng.uniform(rng.below(40) == 0 ? -1 : 0, 1);
     if (rng.below(4) == 0) plane.curves[0].joinAt = rng.uniform(0, 1);
   }
   return planes;
