@@ -172,9 +172,10 @@ void App::refused(const Refusal& refusal) { sendError(host_, refusal.sentence); 
 void App::frame() {
   const bool comes = !shown_;
   // The browser takes what is shown now when all is done that is begun before: the next frame waits for its turn.
-  // Ink does not wait.
-  if ((!showFrame() || comes) && (!gestures_.active() || changesPart())) return host_.requestFrame();
-  framesWanted_ = std::max(0, framesWanted_ - 1);
+  const bool waits = !showFrame() || comes;
+  if (waits && !gestures_.active()) return host_.requestFrame();
+  const bool draws = !waits || !changesPart();  // ink does not wait
+  if (draws) framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();
   reportWaitingPrint();
@@ -186,11 +187,11 @@ void App::frame() {
   fadeFlash();
   // Work goes on where nothing can be drawn: it can still be saved.
   // Without a picture the start page lies over the canvas.
-  if (!lost_ && !studio_.document().pictures.empty()) drawFrame();
+  if (draws && !lost_ && !studio_.document().pictures.empty()) drawFrame();
   watchWork();
   announce();
   announceControls();
-  if (moving() || framesWanted_ > 0) host_.requestFrame();
+  if (!draws || moving() || framesWanted_ > 0) host_.requestFrame();
 }
 
 bool App::moving() const {
