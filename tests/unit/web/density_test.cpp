@@ -153,6 +153,7 @@ TEST_CASE("the first frame of a hand that changes a part is drawn beside the can
   CHECK_FALSE(rig.gl->last.held);
   drag(12);
   CHECK(rig.gl->draws == draws + 1);
+  CHECK(rig.state().find("preview")->flag("fresh") == true);  // the engine follows the hand meanwhile
   rig.gl->slow = false;
   drag(16);  // it comes onto the canvas
   draws = rig.gl->draws;
