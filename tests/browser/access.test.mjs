@@ -102,6 +102,7 @@ test('the page is dark where the system asks for it, the canvas as well, and cha
     const saved = Buffer.from(await exported(page, 'glb'));
     const dark = [await brightness(panel), await brightness(solidView), await brightness(bar)];
     await page.emulateMedia({ colorScheme: 'light' });
+    await page.evaluate(() => new Promise(requestAnimationFrame)); // the page hears of it before its next frame
     await idle(page);
     const light = [await brightness(panel), await brightness(solidView), await brightness(bar)];
     for (let i = 0; i < dark.length; ++i) assert.ok(dark[i] + 60 < light[i], `${i}: ${dark[i]} against ${light[i]}`);
