@@ -380,6 +380,33 @@ class Builder {
   JointShape shape_;
 };
 
+/// Several curves become several others through a place of each link half way (fork.h): those are apart. Errors:
+/// StackInvalid, which names the curves.
+Status checkApart(const Sheets& sheets, const Network& network) {
+  constexpr double kLeast = 0.1;  // of a curve's radius
+  const auto drawn = [&](std::size_t curve) -> const Drawn& { return network.curves[curve]; };
+  const auto middle = [&](const auto& link) {
+    const Drawn &a = drawn(link[0]), &b = drawn(link[1]);
+    return (sheets.all[a.sheet].stand.at(a.centre) + sheets.all[b.sheet].stand.at(b.centre)) / 2;
+  };
+  const auto name = [&](const auto& link) {
+    return "curve " + std::to_string(drawn(link[0]).piece + 1) + " with " + std::to_string(drawn(link[1]).piece + 1);
+  };
+  for (const Fork& fork : network.forks) {
+    for (const auto& one : fork.links) {
+      for (const auto& other : fork.links) {
+        if (one[0] == other[0] || one[1] == other[1]) continue;
+        const double least = kLeast * std::min(drawn(one[0]).radius, drawn(one[1]).radius);
+        if (distance(middle(one), middle(other)) >= least) continue;
+        return {Error::StackInvalid, "the links of " + name(one) + " and of " + name(other) + " from " +
+                                         nameOf(sheets.all[drawn(one[0]).sheet].plane) +
+                                         " on cross half way: take one of them out, or move a curve"};
+      }
+    }
+  }
+  return Done{};
+}
+
 /// Each once, however often its planes are repeated.
 std::vector<Ways::Link> linksOf(const Sheets& sheets, const Network& network) {
   std::vector<Ways::Link> links;
@@ -465,6 +492,7 @@ Result<Stacked> stackPlanes(const Stack& stack, image::Size picture) {
   if (network.links.empty() && network.forks.empty()) {
     return Failure{Error::StackInvalid, "no curve is near enough to one on the next sheet: draw them above each other"};
   }
+  if (Status apart = checkApart(sheets.value(), network); !apart) return apart.failure();
   StackParams params = stack.params;
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     params.rough.amount = stack.params.rough.amount * share;

@@ -380,6 +380,11 @@ TEST_CASE("links that cannot be are refused with a sentence that names them") {
   CHECK(said({{0, 1}, {0, 1, false}}) == "sheet 1 says twice whether curve 1 becomes curve 2: say it once");
   CHECK(said({{1, 0}}) ==
         "curve 2 on sheet 1 is linked with curve 1 on sheet 2, and only one of them is a hole: link holes with holes");
+  Plane straight = level(0, kTwo);
+  straight.links = onlyLinks(2, 2, {{0, 0}, {0, 1}, {1, 0}, {1, 1}});
+  CHECK(failureOf({straight, level(300, kTwo)}).detail ==
+        "the links of curve 1 with 2 and of curve 2 with 1 from sheet 1 on cross half way: take one of them out, or "
+        "move a curve");
   Plane high = level(300, kTwo);
   high.links = {{0, 0}};
   CHECK(failureOf({level(0, {circle(100)}), high}).detail ==
