@@ -66,8 +66,7 @@ void addBetween(const StackRecipe& recipe, const stack::Ways& ways, std::size_t 
     }
   }
   const auto parts = [&](bool up) {
-    return std::ranges::any_of(ways.forks,
-                               [&](const auto& f) { return f.up == up && f.plane == (up ? plane : next); });
+    return std::ranges::any_of(ways.forks, [&](const auto& f) { return f.up == up && f.plane == (up ? plane : next); });
   };
   if (parts(true) && parts(false)) return;
   for (const stack::Ways::Fork& fork : ways.forks) {
