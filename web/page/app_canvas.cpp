@@ -61,7 +61,8 @@ void App::chooseDensity() {
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
   }
   // The first frame with fewer pixels has all to draw that stays beside the part that changes.
-  scene_.held = inHand && (size == pixels_ || !changesPart());
+  const bool much = size != pixels_ && gestures_.active() && changesPart();
+  scene_.held = inHand && !much;
   pixels_ = size;
 }
 
