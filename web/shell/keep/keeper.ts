@@ -52,6 +52,7 @@ export interface KeeperPage {
 export type KeepEvent = { type: 'keep'; what: string; id: string };
 
 const kThumbnail = { width: 208, height: 156 },
+  kHandMs = 200, // until a hand is looked for again
   kThumbnailMs = 1200;
 const kNoModel = 'none';
 
@@ -486,10 +487,10 @@ export class Keeper {
   }
 
   /** To read its pixels holds the page up: not while a hand moves. */
-  private thumbnailSoon(): void {
+  private thumbnailSoon(wait = kThumbnailMs): void {
     clearTimeout(this.thumbnailTimer);
-    const take = () => (this.engine.isIdle() ? void this.keepThumbnail() : this.thumbnailSoon());
-    this.thumbnailTimer = window.setTimeout(take, kThumbnailMs);
+    const take = () => (this.engine.isIdle() ? void this.keepThumbnail() : this.thumbnailSoon(kHandMs));
+    this.thumbnailTimer = window.setTimeout(take, wait);
   }
 
   private onTrouble(failure: StoreFailure | null, since: number): void {
