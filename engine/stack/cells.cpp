@@ -14,12 +14,6 @@
 namespace spineloft::stack {
 namespace {
 
-ModelPoint middleOf(const std::vector<ModelPoint>& points) {
-  ModelPoint sum;
-  for (const ModelPoint& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 /// A branch as it is seen when cells are cut.
 struct Branch {
   std::size_t index = 0;
@@ -281,6 +275,12 @@ class Cutter {
 };
 
 }  // namespace
+
+ModelPoint middleOf(const std::vector<ModelPoint>& points) {
+  ModelPoint sum;
+  for (const ModelPoint& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
 
 double areaOf(const std::vector<ModelPoint>& points) {
   ModelPoint sum;

@@ -29,7 +29,8 @@ Cell wholeOf(const Loop& stem);
 /// A cell for each of the branches (≥ 1), which lie ahead along the stem's normal, by a tree of cuts; new vertices on
 /// the cuts go into the skin.
 Cells cellsOf(const Loop& stem, const std::vector<const Loop*>& branches, Skin& skin);
-/// Of the vector area of a closed curve.
+/// Mean of the points of a closed curve, and the length of its vector area.
+ModelPoint middleOf(const std::vector<ModelPoint>& points);
 double areaOf(const std::vector<ModelPoint>& points);
 
 }  // namespace spineloft::stack

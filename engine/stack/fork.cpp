@@ -140,17 +140,11 @@ const Cell* cellFor(const Cells& cells, std::size_t branch) {
   return at == cells.all.end() ? nullptr : &*at;
 }
 
-ModelPoint middleOf(const Loop& loop) {
-  ModelPoint sum;
-  for (const ModelPoint& p : loop.points) sum += p;
-  return sum / static_cast<double>(loop.points.size());
-}
-
 /// A circle for each link half way between its curves, as large as what both give it, and apart from the others.
 std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
   std::vector<ModelPoint> centres;
   for (const auto& [i, j] : joint.links) {
-    centres.push_back((middleOf(joint.below[i]) + middleOf(joint.above[j])) / 2);
+    centres.push_back((middleOf(joint.below[i].points) + middleOf(joint.above[j].points)) / 2);
   }
   std::vector<Loop> middles;
   for (std::size_t k = 0; k < joint.links.size(); ++k) {
@@ -166,7 +160,7 @@ std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
       if (other != k) radius = std::min(radius, kApart * distance(centres[k], centres[other]));
     }
     const ModelPoint normal = normalized(from.normal + to.normal);
-    const ModelPoint first = from.points.front() - middleOf(from);
+    const ModelPoint first = from.points.front() - middleOf(from.points);
     const ModelPoint x = normalized(first - normal * dot(first, normal)), y = cross(normal, x);
     Loop& middle = middles.emplace_back();
     middle.normal = normal;
@@ -188,13 +182,11 @@ JointCuts addByMiddles(const Joint& joint, const JointShape& shape, Skin& skin) 
     low.links.push_back({joint.links[k][0], k});
     high.links.push_back({k, joint.links[k][1]});
   }
-  const auto rises = [](std::vector<Loop>& loops, double times) {
-    for (Loop& loop : loops) {
-      if (loop.rise) *loop.rise *= times;
+  for (auto* loops : {&low.below, &high.above}) {
+    for (Loop& loop : *loops) {
+      if (loop.rise) *loop.rise *= 2;  // of half the way
     }
-  };
-  rises(low.below, 2);
-  rises(high.above, 2);
+  }
   JointCuts cuts = addJoint(low, shape, skin);
   JointCuts upper = addJoint(high, shape, skin);
   cuts.above = std::move(upper.above);

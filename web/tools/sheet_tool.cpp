@@ -52,7 +52,7 @@ SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
   const double reach = inside ? kMouseReach : event.touch() ? kTouchReach : 1.6 * kMouseReach;
   if (knob && sheet->onRail() && distance(*knob, event.at) <= reach) return {SheetHold::Knob};
   const app::LayerJoints joints = app::jointsOf(env.document, env.derived, env.ui, *sheet);
-  double nearest = event.touch() ? kTouchReach : kMouseReach;  // a line may begin on a mark, too: draw()
+  double nearest = event.touch() ? kTouchReach : kMouseReach;  // a line may begin on a mark, too: move()
   SheetGrip grip{inside ? SheetHold::Sheet : SheetHold::Nothing};
   const auto offer = [&](ModelPoint mark, SheetGrip offered) {
     const auto on = onCanvas(env, toWorld, mark);
