@@ -133,6 +133,111 @@ async function dragTimes([tool, moves]) {
   return times;
 }
 
+/**
+ * A hand that moves every 16 ms along a path on the page, with buttons held down, or else with a wheel that turns: times how
+ * late the page is for each move. Runs in the page.
+ */
+async function steadyTimes([path, { buttons = 1, wheel = 0 } = {}]) {
+  const canvas = document.querySelector('#canvas'),
+    common = { bubbles: true, cancelable: true };
+  const send = (type, [clientX, clientY], held) =>
+    canvas.dispatchEvent(
+      new PointerEvent(type, {
+        ...common,
+        pointerId: 1,
+        pointerType: 'mouse',
+        button: type === 'pointermove' ? -1 : buttons === 4 ? 1 : 0,
+        buttons: held,
+        clientX,
+        clientY,
+      }),
+    );
+  const move = ([clientX, clientY]) =>
+    wheel
+      ? canvas.dispatchEvent(new WheelEvent('wheel', { ...common, clientX, clientY, deltaY: wheel }))
+      : send('pointermove', [clientX, clientY], buttons);
+  const tick = () => new Promise((resolve) => setTimeout(resolve, 16));
+  send('pointermove', path[0], 0);
+  await tick();
+  const from = performance.now();
+  if (!wheel) send('pointerdown', path[0], buttons);
+  const times = [];
+  for (const at of path.slice(1)) {
+    const start = performance.now();
+    move(at);
+    await tick();
+    times.push(Math.max(0, performance.now() - start - 16));
+  }
+  window.handMoved = { from, to: performance.now() };
+  if (!wheel) send('pointerup', path.at(-1), 0);
+  await window.spineloft.idle();
+  return times;
+}
+
+/** A closed curve of moves about a place in pixels of the page. */
+const roundAbout = (x, y, radius, moves = kMoves) =>
+  Array.from({ length: moves + 1 }, (_, i) => {
+    const turn = (2 * Math.PI * 0.97 * i) / moves;
+    return [x + radius * Math.cos(turn), y + radius * Math.sin(turn)];
+  });
+
+/** What moves all of a view, and a part by an arrow of its gizmo, with the parts of `fill`. */
+async function viewTimes(page) {
+  const timed = (path, how) => watched(page, steadyTimes, [path, how]);
+  const place = (x, y) => page.evaluate(([x, y]) => Object.values(window.spineloft.imageToClient(x, y)), [x, y]);
+  const [x, y] = await place(200, 200);
+  const found = {
+    'turn the solid': await timed(roundAbout(900, 500, 120)),
+    'zoom into the solid': await timed(roundAbout(900, 500, 30), { wheel: -12 }),
+    'pan the picture': await timed(roundAbout(x, y, 60), { buttons: 4 }),
+    'zoom into the picture': await timed(roundAbout(x, y, 30), { wheel: -12 }),
+  };
+  const knob = await page.evaluate(async () => {
+    const api = window.spineloft;
+    await api.run('fit');
+    await api.run('move');
+    await api.idle();
+    const { left, top } = document.querySelector('#canvas').getBoundingClientRect();
+    const [x, y] = api.state().gizmo.knobs.find(({ handle }) => handle === 'y').at;
+    return [x + left, y + top];
+  });
+  const upAndDown = Array.from({ length: kMoves + 1 }, (_, i) => [knob[0], knob[1] - 60 * Math.sin(i / 12)]);
+  found['move a part by its arrow'] = await timed(upAndDown);
+  return found;
+}
+
+/** The first lines of a visit: on a photo, and on a sheet of paper, each in a fresh page. */
+async function firstLines(browser, site) {
+  const photo = await openWarm(browser, site);
+  const [sample] = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
+  const bytes = readFileSync(join(root, 'assets/samples', sample.file)).toString('base64');
+  const spine = await photo.evaluate(
+    async ([data, spine]) => {
+      const api = window.spineloft;
+      await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
+      await api.idle();
+      return spine.map(([x, y]) => Object.values(api.imageToClient(x, y)));
+    },
+    [bytes, sample.spine],
+  );
+  const path = Array.from({ length: kMoves + 1 }, (_, i) => {
+    const at = (i / kMoves) * (spine.length - 1.001),
+      first = Math.floor(at);
+    return [0, 1].map((axis) => spine[first][axis] + (at - first) * (spine[first + 1][axis] - spine[first][axis]));
+  });
+  const found = { 'draw a first line': await watched(photo, steadyTimes, [path]) };
+  await photo.context().close();
+  const paper = await openWarm(browser, site);
+  await paper.getByRole('button', { name: 'Draw on paper' }).click();
+  const [x, y] = await paper.evaluate(async () => {
+    await window.spineloft.idle();
+    return Object.values(window.spineloft.imageToClient(300, 300));
+  });
+  found['draw a first outline'] = await watched(paper, steadyTimes, [roundAbout(x, y, 90)]);
+  await paper.context().close();
+  return found;
+}
+
 /** Moves the mouse over one of the views and times what each event costs. Runs in the page. */
 async function hoverTimes([view, moves]) {
   const canvas = document.querySelector('#canvas');
@@ -245,8 +350,9 @@ export async function editingTimes() {
     result['bend the bone, edges found again'] = await timed(dragTimes, 'bone', kMoves);
     result['hover over the picture'] = await timed(hoverTimes, 'picture', kMoves);
     result['hover over the solid'] = await timed(hoverTimes, 'solid', kMoves);
-    await page.close();
-    return { ...result, ...(await firstSolids(browser, site)) };
+    Object.assign(result, await viewTimes(page));
+    await page.context().close();
+    return { ...result, ...(await firstLines(browser, site)), ...(await firstSolids(browser, site)) };
   } finally {
     await browser.close();
     await site.close();

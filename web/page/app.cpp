@@ -174,7 +174,7 @@ void App::frame() {
   // The browser takes what is shown now when all is done that is begun before: the next frame waits for its turn.
   const bool waits = !showFrame() || comes;
   if (waits && !gestures_.active()) return host_.requestFrame();
-  const bool draws = !waits || !changesPart();  // ink does not wait
+  const bool draws = !waits || !(changesPart() || viewMoves());  // ink does not wait
   if (draws) framesWanted_ = std::max(0, framesWanted_ - 1);
   if (studio_.threads() > 0) studio_.pump();
   settle();

@@ -107,6 +107,7 @@ class App final : public platform::Page, Hand {
   bool showFrame();
   bool handRests() const;
   bool changesPart() const;
+  bool viewMoves() const;
   void awaitRest();
   void layOutPanels();
   void drawFrame();
@@ -153,10 +154,13 @@ class App final : public platform::Page, Hand {
   int framesWanted_ = 0;
   double handMovedMs_ = 0;
   ClientPoint pressedAt_;
-  bool handMoves_ = false;       ///< farther from there than a press that means to stay
-  bool restPending_ = false;     ///< a wake is asked for when the hand rests
-  platform::CanvasSize pixels_;  ///< of the frame that is drawn
-  bool shown_ = true;            ///< the last frame is on the canvas
+  bool handMoves_ = false;    ///< farther from there than a press that means to stay
+  bool restPending_ = false;  ///< a wake is asked for when the hand rests
+  // Of the frame that is drawn.
+  platform::CanvasSize pixels_;
+  Camera seenFrom_;
+  PictureView pictureSeen_;
+  bool shown_ = true;  ///< the last frame is on the canvas
   bool wakePending_ = false, tooltipPending_ = false;
   bool overPanels_ = false;  ///< the last pointer event was for ImGui
   bool lost_ = false;

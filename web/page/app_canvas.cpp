@@ -60,14 +60,19 @@ void App::chooseDensity() {
     const auto share = std::ranges::find_if(kShares, [&](double s) { return pixels(ui_.dpr * s) <= kMovingPixels; });
     size.dpr *= share == std::end(kShares) ? kShares.back() : *share;
   }
-  // The first frame with fewer pixels has all to draw that stays beside the part that changes.
-  const bool much = size != pixels_ && gestures_.active() && changesPart();
-  scene_.held = inHand && !much;
+  // All of a view is drawn anew where the view moves, and where what stays is first drawn with fewer pixels.
+  const bool anew = viewMoves() || (changesPart() && size != pixels_);
+  scene_.held = inHand && !(gestures_.active() && anew);
   pixels_ = size;
+  seenFrom_ = ui_.camera;
+  pictureSeen_ = ui_.pictureView;
 }
 
 /// A hand changes parts that there are.
 bool App::changesPart() const { return !ui_.placing.empty() || (ui_.preview && ui_.preview->part); }
+
+/// Solids or picture are seen from elsewhere than in the last frame.
+bool App::viewMoves() const { return ui_.camera != seenFrom_ || ui_.pictureView != pictureSeen_; }
 
 /// The last frame comes onto the canvas as soon as all of it has been drawn; false: it has not.
 bool App::showFrame() {

@@ -87,18 +87,57 @@ TEST_CASE("a frame that a processor still draws is not shown, no other is begun,
   CHECK(rig.app->idle());
 }
 
-TEST_CASE("a hand does not wait for a frame that is still drawn: its own comes onto the canvas at once") {
+TEST_CASE("ink does not wait for a frame that is still drawn: its own comes onto the canvas at once") {
   Turned turned(true);
   Rig& rig = turned.rig;
   rig.pointer(PointerKind::Up, 810, 350);
+  rig.run("new-part");
   rig.gl->slow = true;
   rig.app->frame();
   const int draws = rig.gl->draws, shown = rig.gl->shown;
-  rig.pointer(PointerKind::Down, 820, 350);
-  turn(rig, 840);
+  const auto at = rig.at(100, 100);
+  rig.pointer(PointerKind::Down, at.x, at.y);
+  rig.host.clockMs += 16;
+  rig.pointer(PointerKind::Move, at.x + 20, at.y);
+  rig.app->frame();
   CHECK(rig.gl->draws == draws + 1);
   CHECK(rig.gl->last.held);
   CHECK(rig.gl->shown == shown + 1);
+}
+
+TEST_CASE("where a hand turns the solids or pans the picture, frames are drawn beside the canvas, one at a time") {
+  Turned turned(true);
+  Rig& rig = turned.rig;
+  rig.pointer(PointerKind::Up, 810, 350);
+  rig.settle();
+  const auto dragged = [&](double x, double y) {
+    const auto move = [&](double by) {
+      rig.host.clockMs += 16;
+      rig.pointer(PointerKind::Move, x + by, y);
+      rig.app->frame();
+    };
+    rig.pointer(PointerKind::Down, x, y);
+    rig.gl->slow = true;
+    const int draws = rig.gl->draws;
+    move(10);
+    CHECK(rig.gl->draws == draws + 1);
+    CHECK(rig.gl->last.hurried);
+    CHECK_FALSE(rig.gl->last.held);
+    move(20);
+    CHECK(rig.gl->draws == draws + 1);
+    rig.gl->slow = false;
+    const int shown = rig.gl->shown;
+    move(30);
+    CHECK(rig.gl->shown == shown + 1);
+    move(40);
+    CHECK(rig.gl->draws == draws + 2);
+    rig.pointer(PointerKind::Up, x + 40, y);
+    rig.settle();
+  };
+  dragged(800, 350);
+  rig.app->key({"Space", " ", true, 0});
+  const auto picture = rig.at(100, 100);
+  dragged(picture.x, picture.y);
 }
 
 TEST_CASE("before the first picture, frames of every kind are drawn in idle moments, and each once") {
