@@ -141,7 +141,7 @@ const Cell* cellFor(const Cells& cells, std::size_t branch) {
 }
 
 /// A circle for each link half way between its curves, as large as what both give it, and apart from the others.
-std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
+std::vector<Loop> middlesOf(const Joint& joint, double waist, Skin& skin) {
   std::vector<ModelPoint> centres;
   for (const auto& [i, j] : joint.links) {
     centres.push_back((middleOf(joint.below[i].points) + middleOf(joint.above[j].points)) / 2);
@@ -154,10 +154,9 @@ std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
       const auto links = std::ranges::count_if(joint.links, [&](const auto& link) { return link[side] == number; });
       return areaOf(loop.points) / static_cast<double>(links);
     };
-    constexpr double kApart = 0.45;  // of the way to the next centre
     double radius = std::sqrt((shared(from, 0, i) + shared(to, 1, j)) / 2 / std::numbers::pi);
     for (std::size_t other = 0; other < centres.size(); ++other) {
-      if (other != k) radius = std::min(radius, kApart * distance(centres[k], centres[other]));
+      if (other != k) radius = std::min(radius, waist * distance(centres[k], centres[other]));
     }
     const ModelPoint normal = normalized(from.normal + to.normal);
     const ModelPoint first = from.points.front() - middleOf(from.points);
@@ -176,8 +175,10 @@ std::vector<Loop> middlesOf(const Joint& joint, Skin& skin) {
 
 /// Several become several: each link goes through a curve of its own half way, so that each half parts to one side
 /// only.
-JointCuts addByMiddles(const Joint& joint, const JointShape& shape, Skin& skin) {
-  Joint low{joint.below, middlesOf(joint, skin), {}, joint.inwards}, high{low.above, joint.above, {}, joint.inwards};
+JointCuts addByMiddles(const Joint& joint, const JointShape& whole, Skin& skin) {
+  const JointShape shape{whole.fullness, whole.rows};
+  Joint low{joint.below, middlesOf(joint, whole.waist, skin), {}, joint.inwards},
+      high{low.above, joint.above, {}, joint.inwards};
   for (std::size_t k = 0; k < joint.links.size(); ++k) {
     low.links.push_back({joint.links[k][0], k});
     high.links.push_back({k, joint.links[k][1]});
@@ -219,7 +220,9 @@ ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within) {
 
 JointCuts addJoint(const Joint& joint, const JointShape& shape, Skin& skin) {
   const Ahead up = aheadOf(joint, false), down = aheadOf(joint, true);
-  if (up.forks() && down.forks()) return addByMiddles(joint, shape, skin);
+  if ((up.forks() && down.forks()) || (shape.halves && (up.forks() || down.forks()))) {
+    return addByMiddles(joint, shape, skin);
+  }
   const std::vector<Cells> upCells = up.cells(skin), downCells = down.cells(skin);
   std::vector<LinkSpace> spaces;
   for (const auto& [i, j] : joint.links) {

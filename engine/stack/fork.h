@@ -53,6 +53,9 @@ struct JointCuts {
 struct JointShape {
   double fullness = 0.35;  ///< κ of the Bézier rows, 0…0.5
   int rows = 12;           ///< between the sheets, ≥ 1
+  /// Where several become several each link goes through a circle half way; here, every link of a fork does.
+  bool halves = false;
+  double waist = 0.45;  ///< most radius of such a circle, of the way to the next one
 };
 
 /// Puts the surface between the curves into the skin. Both sides of a cut use the same vertices, so that the surface is

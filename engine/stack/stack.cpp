@@ -52,7 +52,7 @@ class Builder {
         skin_(picture),
         rings_(network.curves.size()) {}
 
-  void setFullness(double fullness) { shape_.fullness = fullness; }
+  void setShape(const JointShape& shape) { shape_ = shape; }
 
   /// Holes: a lid cannot be filled. TooRough: a curve would cross itself.
   enum class Outcome { Filled, Holes, TooRough };
@@ -455,13 +455,19 @@ mesh::TriMesh melted(const mesh::TriMesh& mesh, Melting melting, image::Size pic
 /// The solid with as much of its roughness as `params` say. Errors: StackInvalid. None: it would cross itself so rough.
 std::optional<Result<Stacked>> built(const Sheets& sheets, const Network& network, const StackParams& params,
                                      image::Size picture) {
-  // Full joints first; where their walls cross, straighter ones. Without a fork the first is as good as any.
-  constexpr std::array kFullness = {0.35, 0.175, 0.0875, 0.0};
+  // Full joints first; where their walls cross, straighter ones, then such whose branches part half way already.
+  // Without a fork the first is as good as any.
+  constexpr std::array<JointShape, 6> kShapes{{{.fullness = 0.35},
+                                               {.fullness = 0.175},
+                                               {.fullness = 0.0875},
+                                               {.fullness = 0},
+                                               {.fullness = 0.35, .halves = true, .waist = 0.3},
+                                               {.fullness = 0, .halves = true, .waist = 0.3}}};
   Stacked made;
   Melting melting;
-  for (const double fullness : kFullness) {
+  for (const JointShape& shape : kShapes) {
     Builder builder(sheets, network, params, picture);
-    builder.setFullness(fullness);
+    builder.setShape(shape);
     const Builder::Outcome outcome = builder.run();
     if (outcome == Builder::Outcome::TooRough) return std::nullopt;
     if (params.melt > 0) melting = {builder.creases(), builder.spaces(), builder.regions()};

@@ -155,29 +155,48 @@ TEST_CASE("holes in a stem and in its branches make a pipe that forks") {
              1);
 }
 
-TEST_CASE("wild forks are lawful and do not go through themselves") {
-  int through = 0;
-  const int all = rounds(40);
+namespace {
+
+/// A curve that nobody would call a circle, the more uneven the less.
+Curve blob(Rng& rng, double radius, SectionPoint centre, double uneven) {
+  Curve curve = circle(radius, centre);
+  for (SectionPoint& p : curve.through) p = centre + (p - centre) * (1 + rng.uniform(-uneven, uneven));
+  return curve;
+}
+
+}  // namespace
+
+TEST_CASE("wild forks, with branches that lean by up to 60 degrees, are lawful and do not go through themselves") {
+  int through = 0, refused = 0;
+  const int all = rounds(50);
   for (int seed = 0; seed < all; ++seed) {
     CAPTURE(seed);
     Rng rng(static_cast<std::uint64_t>(seed));
     const int count = 2 + static_cast<int>(rng.below(5));
-    const double spread = rng.uniform(70, 180);
+    const double spread = rng.uniform(70, 220);
     std::vector<Curve> branches;
     for (int i = 0; i < count; ++i) {
       const double angle = 2 * kPi * (i + rng.uniform(-0.12, 0.12)) / count;
-      branches.push_back(circle(spread * std::sin(kPi / count) * rng.uniform(0.4, 0.7),
-                                {spread * std::cos(angle), spread * std::sin(angle)}));
+      branches.push_back(blob(rng, spread * std::sin(kPi / count) * rng.uniform(0.4, 0.7),
+                              {spread * std::cos(angle), spread * std::sin(angle)}, 0.2));
     }
     Plane top = level(rng.uniform(150, 300), branches);
-    top.turn = geometry::turnAbout(ModelPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), 0.01}, rng.uniform(0, 0.5));
-    const mesh::TriMesh mesh = made({level(0, {circle(100)}), top});
-    const mesh::MeshReport report = requireLawful(mesh);
+    top.turn = geometry::turnAbout(ModelPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), 0.01}, rng.uniform(0, kPi / 3));
+    const std::vector<Plane> planes{level(0, {blob(rng, 100, {}, 0.35)}), top};
+    const Result<Stacked> stacked = stackPlanes({planes, {}, {}}, kPaper);
+    if (!stacked.ok()) {
+      CHECK(stacked.failure().detail ==
+            "sheet 1 and sheet 2 stand at one place or cut each other inside their curves: move or turn one");
+      ++refused;
+      continue;
+    }
+    const mesh::MeshReport report = requireLawful(stacked.value().mesh);
     CHECK(report.genus == 0);
     CHECK(report.shells == 1);
-    through += mesh::selfCrossing(mesh).has_value();
+    through += mesh::selfCrossing(stacked.value().mesh).has_value();
   }
-  CHECK(through <= all / 100);
+  CHECK(through == 0);
+  CHECK(refused <= all / 10);
 }
 
 namespace {
@@ -247,7 +266,7 @@ TEST_CASE("curves in rows, linked each with its neighbours, are one piece withou
     CHECK(report.shells == 1);
     through += mesh::selfCrossing(mesh).has_value();
   }
-  CHECK(through <= all / 15);
+  CHECK(through <= all / 30);
 }
 
 TEST_CASE("a link that is cut leaves a curve that ends, and one that is wanted joins curves far from each other") {
