@@ -196,13 +196,14 @@ class Bridges {
   /// No edge of the ring touches the bridge except in its ends.
   bool isClear(std::uint32_t from, std::uint32_t to, const Ring& ring) const {
     const SectionPoint a = points_[from], b = points_[to];
+    const double straight = kStraight * dot(b - a, b - a);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::uint32_t p = ring[i], q = ring[(i + 1) % ring.size()];
       const SectionPoint c = points_[p], d = points_[q];
       const double atC = side(a, b, c), atD = side(a, b, d);
       const bool shared = p == from || p == to || q == from || q == to;
       if (!shared && atC * atD <= 0 && side(c, d, a) * side(c, d, b) <= 0) return false;
-      if (p != from && p != to && atC == 0 && dot(c - a, c - b) < 0) return false;
+      if (p != from && p != to && std::abs(atC) <= straight && dot(c - a, c - b) < 0) return false;
     }
     return true;
   }

@@ -207,6 +207,35 @@ TEST_CASE("triangles fill polygons with holes and several pieces: all corners us
   CHECK(pierced > 150);
 }
 
+TEST_CASE("holes whose corners lie on common lines, up to rounding, are filled: no bridge passes through a corner") {
+  for (int seed = 0; seed < testing::rounds(300); ++seed) {
+    CAPTURE(seed);
+    Rng rng(static_cast<std::uint64_t>(seed));
+    const double angle = rng.uniform(0, 6.283185307179586), step = rng.uniform(0.1, 30);
+    const SectionPoint shift{rng.uniform(-100, 100), rng.uniform(-100, 100)};
+    const SectionPoint along{step * std::cos(angle), step * std::sin(angle)}, up{-along.y, along.x};
+    const auto at = [&](double x, double y) { return along * x + up * y + shift; };
+    Points points{at(0, 0), at(9, 0), at(9, 9), at(0, 9)};
+    std::vector<std::size_t> sizes{4};
+    double area = 81 * step * step;
+    for (int y = 1; y < 9; y += 2) {
+      for (int x = 1; x < 9; x += 2) {
+        if (rng.below(3) == 0) continue;
+        const bool isTriangle = rng.below(2) == 0;
+        points.insert(points.end(), {at(x, y), at(x, y + 1), at(x + 1, y + 1)});
+        if (!isTriangle) points.push_back(at(x + 1, y));
+        sizes.push_back(isTriangle ? 3 : 4);
+        area -= (isTriangle ? 0.5 : 1) * step * step;
+      }
+    }
+    const auto triangles = triangulate(points, sizes);
+    CHECK(triangles.size() == points.size() + 2 * (sizes.size() - 1) - 2);
+    double filled = 0;
+    for (const auto& [a, b, c] : triangles) filled += cross(points[b] - points[a], points[c] - points[a]) / 2;
+    CHECK(filled == doctest::Approx(area).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("the centre of the kernel sees every edge, and a spiral has none") {
   Rng rng(32);
   for (int round = 0; round < testing::rounds(300); ++round) {
