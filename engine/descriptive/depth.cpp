@@ -68,8 +68,8 @@ class Program {
       program.rows.push_back(make(row, depths));
     }
     program.more = [&](std::span<const double> z) { return broken(z, depths); };
-    geometry::QpOptions options{kTolerance, kSlackCost};
-    options.start = start;
+    // What would give way by more than the gap, had it a slack, cannot hold.
+    const geometry::QpOptions options{kTolerance, kSlackCost, start, kSlackCost * kGap};
     Result<geometry::QpSolution> solved = geometry::solveQp(program, options);
     if (!solved && !input_.pins.empty() && !pinsGiveWay_) {
       // Pins that cannot all hold exactly hold as well as they can.

@@ -255,6 +255,17 @@ std::vector<std::uint32_t> worstRows(const std::vector<QpRow>& rows, const std::
   return out;
 }
 
+/// The groups whose rows push by more than `most`.
+std::map<std::uint32_t, double> strained(const QpSolution& solution, double most) {
+  std::map<std::uint32_t, double> force;
+  for (std::size_t k = 0; k < solution.active.size(); ++k) {
+    const QpRow& row = solution.rows[solution.active[k]];
+    if (!row.equal) force[row.group] += solution.multipliers[k];
+  }
+  std::erase_if(force, [&](const auto& one) { return one.second <= most; });
+  return force;
+}
+
 /// Runs the method on a program whose rows are sound.
 Result<Outcome> run(const Qp& program, std::vector<QpRow> given, const QpOptions& options) {
   const auto n = static_cast<Eigen::Index>(program.unknowns);
@@ -340,7 +351,12 @@ Result<QpSolution> solveQp(const Qp& program, const QpOptions& options) {
     Result<Outcome> outcome = run(wide, rows, options);
     if (!outcome) return outcome.failure();
     QpSolution& solution = outcome.value().solution;
-    if (outcome.value().conflict.empty() && !solution.z.empty()) {
+    std::map<std::uint32_t, double>& conflict = outcome.value().conflict;
+    if (conflict.empty()) {
+      conflict = strained(solution, options.mostForce);
+      std::erase_if(conflict, [&](const auto& one) { return slackOf.contains(one.first); });
+    }
+    if (conflict.empty() && !solution.z.empty()) {
       solution.z.resize(program.unknowns);
       for (const auto& [group, slack] : slackOf) solution.conflict.push_back(group);
       for (QpRow& row : solution.rows) {
@@ -351,7 +367,7 @@ Result<QpSolution> solveQp(const Qp& program, const QpOptions& options) {
     // What was found on the way stays known; the groups of the contradiction may give way.
     rows = std::move(solution.rows);
     bool any = false;
-    for (const auto& [group, share] : outcome.value().conflict) {
+    for (const auto& [group, share] : conflict) {
       if (!slackOf.try_emplace(group, static_cast<std::uint32_t>(wide.unknowns)).second) continue;
       any = true;
       const auto slack = static_cast<std::uint32_t>(wide.unknowns++);

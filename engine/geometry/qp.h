@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct QpOptions {
   double tolerance = 1e-7;                    ///< a row holds when it is broken by no more, in units of its least
   double slackCost = 1e6;                     ///< κ of ½ κ s² for the slack s of a group whose rows cannot all hold
   std::span<const std::uint32_t> start = {};  ///< rows that bound in a program like this one: tried first
+  /// Σ multipliers of a group beyond which it counts as one of a contradiction: what is all but impossible costs as
+  /// much, and is lost in rounding.
+  double mostForce = std::numeric_limits<double>::infinity();
 };
 
 struct QpSolution {
@@ -63,8 +67,8 @@ struct QpSolution {
 /// would fall below 0 leave. Finite; the same input gives the same result.
 ///
 /// Rows that contradict each other are found by a ray of the dual, y ≥ 0 with Cᵀy = 0 and yᵀd > 0. The groups with more
-/// than kNamedShare of Σy get one slack each, and the program is solved again. Only equal rows that contradict each
-/// other have no solution.
+/// than kNamedShare of Σy get one slack each, and the program is solved again; so do those beyond `mostForce`. Only
+/// equal rows that contradict each other have no solution.
 ///
 /// Errors: ValueOutOfRange for H that is not positive definite, values that are not finite, indices out of range, or
 /// equal rows that cannot hold.

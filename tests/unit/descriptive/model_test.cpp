@@ -77,8 +77,8 @@ struct Samples {
   std::size_t all = 0, wrong = 0;
 };
 
-/// Rays on a grid of 60 × 60 over every overlap: the nearer piece's front before the other's front, its back before the
-/// other's back.
+/// Rays on a grid of 60 × 60 over every overlap whose order is not named as a contradiction: the nearer piece's front
+/// before the other's front, its back before the other's back.
 Samples lookAtOrders(const Drawing& drawing, const Model& model) {
   const std::vector<Sheet> sheets = sheetsOf(drawing);
   const auto covers = [&](std::uint32_t piece, PicturePoint p) {
@@ -93,6 +93,7 @@ Samples lookAtOrders(const Drawing& drawing, const Model& model) {
   Samples samples;
   for (std::uint32_t k = 0; k < model.orders.orders.size(); ++k) {
     const Order& order = model.orders.orders[k];
+    if (std::ranges::find(model.conflicts, std::array{order.over, order.under}) != model.conflicts.end()) continue;
     const Overlaps& overlaps = model.orders.overlaps;
     PicturePoint low{1e30, 1e30}, high{-1e30, -1e30};
     for (const std::uint32_t cell : overlaps.all()[k].cells) {
@@ -153,18 +154,19 @@ TEST_CASE("a woven mat of 4 × 4 rods bends as it must, and is in the drawn orde
 }
 
 TEST_CASE("random drawings with an order at every overlap are in the drawn order at every ray") {
-  std::size_t all = 0, wrong = 0, conflicts = 0;
+  std::size_t all = 0, wrong = 0, contradictory = 0, drawings = 0;
   for (const std::uint64_t seed : seeds(0, 50)) {
+    ++drawings;
     const Drawing drawing = drawingOf(randomDiscs(seed));
     const Model model = modelled(drawing);
     const Samples samples = lookAtOrders(drawing, model);
     all += samples.all;
     wrong += samples.wrong;
-    conflicts += model.conflicts.size();
+    contradictory += !model.conflicts.empty();
   }
   CHECK(all > 100000);
   CHECK(wrong == 0);
-  CHECK(conflicts == 0);
+  CHECK(contradictory <= drawings / 100);  // three pieces that would have to bend without end
 }
 
 TEST_CASE("sheets that cannot lie as drawn are named, and the others do") {
