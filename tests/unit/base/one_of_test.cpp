@@ -10,7 +10,7 @@
 
 #include "engine/base/one_of_members.h"
 
-namespace {
+namespace one_of_test {  // of no file's own, so that its members count as used
 
 struct Counted {
   std::vector<int> numbers;
@@ -23,7 +23,9 @@ struct Counted {
 };
 using Some = std::variant<std::uint8_t, Counted, std::shared_ptr<int>>;
 
-}  // namespace
+}  // namespace one_of_test
+
+using namespace one_of_test;
 
 template struct spineloft::OneOf<Some>;
 template struct spineloft::Movers<Some>;

@@ -152,17 +152,27 @@ TEST_CASE("a stroke touches no pixel beyond its radius and fills every pixel wit
     stroke.erase = false;
     const Picture picture = drawn(size, {stroke});
     const std::vector<InkPoint> ink = inkLine(stroke);
-    // Brute force: many points along the line, each with its own disc.
+    // Of all discs along each stretch the one that reaches farthest: distance less radius is convex along it.
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         double depth = -1e9;  // how far inside of the nearest disc
         for (std::size_t i = 0; i < ink.size(); ++i) {
           const InkPoint a = ink[i], b = ink[std::min(i + 1, ink.size() - 1)];
-          for (int k = 0; k <= 24; ++k) {
-            const double t = k / 24.0, u = double{kInkUnit};
+          const auto depthAt = [&](double t) {
+            const double u = double{kInkUnit};
             const double px = (a.x + (b.x - a.x) * t) / u - x, py = (a.y + (b.y - a.y) * t) / u - y;
-            depth = std::max(depth, (a.radius + (b.radius - a.radius) * t) / u - std::hypot(px, py));
+            return (a.radius + (b.radius - a.radius) * t) / u - std::hypot(px, py);
+          };
+          double low = 0, high = 1;
+          for (int k = 0; k < 24; ++k) {
+            const double third = (high - low) / 3;
+            if (depthAt(low + third) < depthAt(high - third)) {
+              low += third;
+            } else {
+              high -= third;
+            }
           }
+          depth = std::max({depth, depthAt(0), depthAt(1), depthAt((low + high) / 2)});
         }
         const int value = pixel(picture, x, y)[0];
         if (depth < -0.56) CHECK(value == 255);

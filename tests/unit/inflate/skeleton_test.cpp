@@ -49,7 +49,8 @@ Skeleton skeletonIn(const geometry::Contours& contours, double sigma = kScale, d
     for (const auto& contour : contours) {
       inside ^= geometry::holds(std::span<const PicturePoint>(contour), PicturePoint{p.at.x, -p.at.y});
     }
-    CHECK(inside);
+    constexpr double kCutOff = 0.2;  // pixels: even samples cut off the tip of a star
+    CHECK((inside || p.radius < kCutOff));
     CHECK(p.radius == doctest::Approx(rim.to(p.at)));
   }
   return std::move(made).value();
@@ -87,6 +88,7 @@ TEST_CASE("tremor of 1 % and 2 % of the largest half width leaves ends and rings
       for (const double wave : {0.15, 0.6}) {
         int right = 0, drawings = 0;
         for (const std::uint64_t seed : testing::seeds(1, 21)) {
+          CAPTURE(seed);
           right += isAsNamed(skeletonIn(trembling(shape.contours, share * width, wave * width, seed)), shape);
           ++drawings;
         }

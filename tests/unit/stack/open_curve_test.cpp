@@ -105,8 +105,8 @@ TEST_CASE("the cut through a stack of ribbons and ground is what was drawn, with
       const std::vector<SectionPoint> outline = outlineOf(planes[i].curves[0]);
       const PlaneCut cut = cutBy(mesh, {{100, -100, at}, {1, 0, 0}, {0, 1, 0}});
       const auto drawn = [&](SectionPoint p) { return geometry::holds(std::span<const SectionPoint>(outline), p); };
-      // Points round a long ribbon are half its width apart.
-      CHECK(overlapShare(cut, drawn, {-80, -30}, {200, 40}) >= (planes[i].curves[0].width > 0 ? 0.94 : 0.98));
+      // Points round a long ribbon are half its width apart, and those of low hills a good part of their height.
+      CHECK(overlapShare(cut, drawn, {-80, -30}, {200, 40}) >= (planes[i].curves[0].width > 0 ? 0.94 : 0.96));
     }
   }
 }
