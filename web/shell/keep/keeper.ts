@@ -52,7 +52,7 @@ export interface KeeperPage {
 export type KeepEvent = { type: 'keep'; what: string; id: string };
 
 const kThumbnail = { width: 208, height: 156 },
-  kHandMs = 200, // until a hand is looked for again
+  kHandMs = 200, // a hand that has not moved for so long rests; until it is looked for again
   kThumbnailMs = 1200;
 const kNoModel = 'none';
 
@@ -66,6 +66,7 @@ export class Keeper {
   private queue: Promise<unknown> = Promise.resolve();
   private changing = 0;
   private thumbnailTimer = 0;
+  private handMovedMs = 0;
   private readOnly = false;
   private askedToPersist = false;
   private keptAgain = new AbortController();
@@ -77,6 +78,7 @@ export class Keeper {
     this.writer = this.makeWriter();
     document.addEventListener('visibilitychange', () => this.seen());
     window.addEventListener('focus', () => this.writer.retry());
+    document.addEventListener('pointermove', () => (this.handMovedMs = performance.now()), { passive: true });
   }
 
   /** Id of the open model; null while it is empty and new. */
@@ -489,7 +491,10 @@ export class Keeper {
   /** To read its pixels holds the page up: not while a hand moves. */
   private thumbnailSoon(wait = kThumbnailMs): void {
     clearTimeout(this.thumbnailTimer);
-    const take = () => (this.engine.isIdle() ? void this.keepThumbnail() : this.thumbnailSoon(kHandMs));
+    const take = () => {
+      const rests = performance.now() - this.handMovedMs >= kHandMs;
+      return this.engine.isIdle() && rests ? void this.keepThumbnail() : this.thumbnailSoon(kHandMs);
+    };
     this.thumbnailTimer = window.setTimeout(take, wait);
   }
 
