@@ -17,23 +17,32 @@ function summary(times) {
   return { median_ms: at(0.5), p95_ms: at(0.95), count: sorted.length };
 }
 
-/** The first sample with its stroke eight times, a little apart. */
-async function fill(page) {
+/** Opens the first sample; its stroke, in pixels of the picture. */
+async function openSample(page) {
   const [sample] = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
   const bytes = readFileSync(join(root, 'assets/samples', sample.file)).toString('base64');
+  await page.evaluate(async (data) => {
+    const api = window.spineloft;
+    await api.ready;
+    await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
+    await api.idle();
+  }, bytes);
+  return sample.spine;
+}
+
+/** The first sample with its stroke eight times, a little apart. */
+async function fill(page) {
+  const spine = await openSample(page);
   await page.evaluate(
-    async ([data, spine, parts, ribs]) => {
+    async ([spine, parts, ribs]) => {
       const api = window.spineloft;
-      await api.ready;
-      await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
-      await api.idle();
       for (let i = 0; i < parts; ++i) {
         await api.run('draw-spine', { stroke: spine.map(([x, y]) => [x + 2 * i, y + i]) });
         await api.run('set-parameter', { part: i + 1, key: 'ribs', value: ribs });
       }
       await api.idle();
     },
-    [bytes, sample.spine, kParts, kRibs],
+    [spine, kParts, kRibs],
   );
 }
 
@@ -209,16 +218,9 @@ async function viewTimes(page) {
 /** The first lines of a visit: on a photo, and on a sheet of paper, each in a fresh page. */
 async function firstLines(browser, site) {
   const photo = await openWarm(browser, site);
-  const [sample] = JSON.parse(readFileSync(join(root, 'assets/samples/samples.json'), 'utf8'));
-  const bytes = readFileSync(join(root, 'assets/samples', sample.file)).toString('base64');
   const spine = await photo.evaluate(
-    async ([data, spine]) => {
-      const api = window.spineloft;
-      await api.openImage(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))]), 'bench');
-      await api.idle();
-      return spine.map(([x, y]) => Object.values(api.imageToClient(x, y)));
-    },
-    [bytes, sample.spine],
+    (spine) => spine.map(([x, y]) => Object.values(window.spineloft.imageToClient(x, y))),
+    await openSample(photo),
   );
   const path = Array.from({ length: kMoves + 1 }, (_, i) => {
     const at = (i / kMoves) * (spine.length - 1.001),

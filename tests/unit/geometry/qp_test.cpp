@@ -191,6 +191,34 @@ TEST_CASE("three sheets in a cycle are named, two innocent pairs beside them are
   }
 }
 
+TEST_CASE(
+    "a cycle that only an absurd value could part is named where there is a limit to force, and kept without one") {
+  for (const std::uint64_t seed : seeds(0, 20)) {
+    Rng rng(seed);
+    constexpr double kHardly = 1e-3;  // how much the seventh unknown parts the cycle
+    Qp qp = lineOf(7);
+    for (double& value : qp.linear) value = rng.uniform(-1, 1);
+    const double gap = rng.uniform(0.1, 1);
+    qp.rows = {{{{0, 1}, {1, -1}}, gap, 10, false},
+               {{{1, 1}, {2, -1}}, gap, 11, false},
+               {{{2, 1}, {0, -1}, {6, kHardly}}, gap, 12, false},
+               {{{3, 1}, {4, -1}}, gap, 20, false}};
+    const auto kept = solveQp(qp, {1e-9});
+    REQUIRE(kept.ok());
+    CHECK(kept.value().conflict.empty());
+    CHECK(kept.value().z[6] == doctest::Approx(3 * gap / kHardly));
+    QpOptions limited{1e-9, 1e4};
+    limited.mostForce = 15;
+    const auto named = solveQp(qp, limited);
+    REQUIRE(named.ok());
+    CHECK(named.value().conflict == std::vector<std::uint32_t>{10, 11, 12});
+    CHECK(std::abs(named.value().z[6]) < 0.1 * kept.value().z[6]);
+    CHECK(along(qp.rows[3], named.value().z) >= gap - 1e-8);
+    limited.mostForce = 1e9;  // more than any row needs
+    CHECK(solveQp(qp, limited).value().z == kept.value().z);
+  }
+}
+
 TEST_CASE("what is no program is refused") {
   Qp qp = lineOf(2);
   qp.rows.push_back({{{2, 1}}, 0, 0, false});

@@ -121,7 +121,7 @@ TEST_CASE("off the skeleton and the outline no point has an extreme value") {
   }
 }
 
-TEST_CASE("tremor of 1 % changes a round height by 1 % RMS, at most by 9 % off the rim; another sampling by 1.5 % RMS" *
+TEST_CASE("tremor of 1 % changes a round height by 1 % RMS, 6 % at most off the rim; another sampling by 1.5 % RMS" *
           doctest::test_suite("slow")) {
   const auto height = [](const Fields& fields, SectionPoint p) {
     if (!fields.mesh.find(p)) return 0.0;
@@ -151,19 +151,14 @@ TEST_CASE("tremor of 1 % changes a round height by 1 % RMS, at most by 9 % off t
     CAPTURE(shape.name);
     const Fields calm = fieldsIn(shape.contours);
     const double width = largestHalf(calm);
-    double squares = 0;
-    int drawings = 0;
     for (const std::uint64_t seed : testing::seeds(1, 3)) {
       const Fields other = fieldsIn(trembling(shape.contours, 0.01 * width, 0.3 * width, seed));
       const auto [mean, most] = compare(calm, other);
-      CHECK(mean <= 0.015 * width);
-      CHECK(most <= 0.09 * width);
-      squares += mean * mean;
-      ++drawings;
+      CHECK(mean <= 0.01 * width);
+      CHECK(most <= 0.06 * width);
       worstMean = std::max(worstMean, mean / width);
       worst = std::max(worst, most / width);
     }
-    CHECK(std::sqrt(squares / drawings) <= 0.01 * width);
     const auto [mean, most] = compare(calm, fieldsIn(geometry::sampleRegion(shape.contours, 5.3)));
     CHECK(mean <= 0.015 * width);
   }

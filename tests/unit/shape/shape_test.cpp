@@ -153,8 +153,7 @@ TEST_CASE("the drawn lines are the silhouettes in both views") {
 
 TEST_CASE("where a hand trembles the shape stays near the clean outline") {
   Rng rng(3);
-  double shares = 0;
-  int views = 0;
+  int views = 0, farther = 0;
   for (int round = 0; round < rounds(12); ++round) {
     CAPTURE(round);
     const Contours front = bent(rng, 200), side = bent(rng, 200);
@@ -175,11 +174,11 @@ TEST_CASE("where a hand trembles the shape stays near the clean outline") {
     for (const double share : {pipeline::matchOutline(shaped.mesh, kFront, front).iou,
                                pipeline::matchOutline(shaped.mesh, kSide, side).iou}) {
       CHECK(share >= 0.98);
-      shares += share;
+      farther += share < 0.985;
       ++views;
     }
   }
-  CHECK(shares >= 0.985 * views);
+  CHECK(farther <= views / 100);
 }
 
 TEST_CASE("an outline that steps back along the axis is still the silhouette") {
@@ -335,17 +334,17 @@ TEST_CASE("a mirrored recipe makes the mirrored solid, a larger one the larger s
 }
 
 TEST_CASE("how finely an outline was drawn changes little") {
-  double off = 0;
+  int farther = 0;
   const int all = rounds(6);
   for (int round = 0; round < all; ++round) {
     Rng first(round + 8), second(round + 8);
     const Contours dense = bent(first, 400), sparse = bent(second, 60);
     const Shaped a = made(upright(), {{kFront, dense}}), b = made(upright(), {{kFront, sparse}});
     CHECK(volumeOf(a) == doctest::Approx(volumeOf(b)).epsilon(1e-2));
-    off += std::abs(volumeOf(a) / volumeOf(b) - 1);
+    farther += volumeOf(a) != doctest::Approx(volumeOf(b)).epsilon(3e-3);
     CHECK(pipeline::matchOutline(b.mesh, kFront, dense).largest <= 0.01);
   }
-  CHECK(off <= 3e-3 * all);
+  CHECK(farther <= all / 50);
 }
 
 TEST_CASE("ends with a width are flat, round, pointed or open") {

@@ -157,8 +157,8 @@ TEST_CASE("holes in a stem and in its branches make a pipe that forks") {
 
 namespace {
 
-/// A curve that nobody would call a circle, the more uneven the less.
-Curve blob(Rng& rng, double radius, SectionPoint centre, double uneven) {
+/// A closed curve whose points are off a circle by up to `uneven` of its radius.
+Curve unevenCircle(Rng& rng, double radius, SectionPoint centre, double uneven) {
   Curve curve = circle(radius, centre);
   for (SectionPoint& p : curve.through) p = centre + (p - centre) * (1 + rng.uniform(-uneven, uneven));
   return curve;
@@ -177,12 +177,12 @@ TEST_CASE("wild forks, with branches that lean by up to 60 degrees, are lawful a
     std::vector<Curve> branches;
     for (int i = 0; i < count; ++i) {
       const double angle = 2 * kPi * (i + rng.uniform(-0.12, 0.12)) / count;
-      branches.push_back(blob(rng, spread * std::sin(kPi / count) * rng.uniform(0.4, 0.7),
-                              {spread * std::cos(angle), spread * std::sin(angle)}, 0.2));
+      branches.push_back(unevenCircle(rng, spread * std::sin(kPi / count) * rng.uniform(0.4, 0.7),
+                                      {spread * std::cos(angle), spread * std::sin(angle)}, 0.2));
     }
     Plane top = level(rng.uniform(150, 300), branches);
     top.turn = geometry::turnAbout(ModelPoint{rng.uniform(-1, 1), rng.uniform(-1, 1), 0.01}, rng.uniform(0, kPi / 3));
-    const std::vector<Plane> planes{level(0, {blob(rng, 100, {}, 0.35)}), top};
+    const std::vector<Plane> planes{level(0, {unevenCircle(rng, 100, {}, 0.35)}), top};
     const Result<Stacked> stacked = stackPlanes({planes, {}, {}}, kPaper);
     if (!stacked.ok()) {
       CHECK(stacked.failure().detail ==

@@ -82,6 +82,7 @@ TEST_CASE("ground is the sum of its trapezoids, and its underside is even") {
 }
 
 TEST_CASE("the cut through a stack of ribbons and ground is what was drawn, with whatever they become") {
+  std::size_t cuts = 0, coarse = 0;
   for (const std::uint64_t seed : seeds(0, 30)) {
     CAPTURE(seed);
     Rng rng(seed);
@@ -106,9 +107,14 @@ TEST_CASE("the cut through a stack of ribbons and ground is what was drawn, with
       const PlaneCut cut = cutBy(mesh, {{100, -100, at}, {1, 0, 0}, {0, 1, 0}});
       const auto drawn = [&](SectionPoint p) { return geometry::holds(std::span<const SectionPoint>(outline), p); };
       // Points round a long ribbon are half its width apart, and those of low hills a good part of their height.
-      CHECK(overlapShare(cut, drawn, {-80, -30}, {200, 40}) >= (planes[i].curves[0].width > 0 ? 0.94 : 0.96));
+      const double share = overlapShare(cut, drawn, {-80, -30}, {200, 40});
+      const bool isRibbon = planes[i].curves[0].width > 0;
+      CHECK(share >= (isRibbon ? 0.94 : 0.96));
+      ++cuts;
+      coarse += !isRibbon && share < 0.98;
     }
   }
+  CHECK(coarse <= cuts / 100);
 }
 
 TEST_CASE("open curves that make no section are refused in a sentence that names curve and sheet") {

@@ -8,12 +8,14 @@ namespace {
 
 using platform::PointerKind;
 
-/// One move of a hand that turns the solid, and its frame.
-void turn(Rig& rig, double x) {
+/// One move of a hand, and its frame.
+void moveTo(Rig& rig, double x, double y) {
   rig.host.clockMs += 16;
-  rig.pointer(PointerKind::Move, x, 350);
+  rig.pointer(PointerKind::Move, x, y);
   rig.app->frame();
 }
+/// One that turns the solid.
+void turn(Rig& rig, double x) { moveTo(rig, x, 350); }
 
 struct Turned {
   Rig rig;
@@ -97,9 +99,7 @@ TEST_CASE("ink does not wait for a frame that is still drawn: its own comes onto
   const int draws = rig.gl->draws, shown = rig.gl->shown;
   const auto at = rig.at(100, 100);
   rig.pointer(PointerKind::Down, at.x, at.y);
-  rig.host.clockMs += 16;
-  rig.pointer(PointerKind::Move, at.x + 20, at.y);
-  rig.app->frame();
+  moveTo(rig, at.x + 20, at.y);
   CHECK(rig.gl->draws == draws + 1);
   CHECK(rig.gl->last.held);
   CHECK(rig.gl->shown == shown + 1);
@@ -111,11 +111,7 @@ TEST_CASE("where a hand turns the solids or pans the picture, frames are drawn b
   rig.pointer(PointerKind::Up, 810, 350);
   rig.settle();
   const auto dragged = [&](double x, double y) {
-    const auto move = [&](double by) {
-      rig.host.clockMs += 16;
-      rig.pointer(PointerKind::Move, x + by, y);
-      rig.app->frame();
-    };
+    const auto move = [&](double by) { moveTo(rig, x + by, y); };
     rig.pointer(PointerKind::Down, x, y);
     rig.gl->slow = true;
     const int draws = rig.gl->draws;
@@ -178,11 +174,7 @@ TEST_CASE("the first frame of a hand that changes a part is drawn beside the can
   const app::Json::Array& ribs = *(*state.find("parts")->array())[0].find("ribs")->array();
   const app::Json::Array& end = *ribs[ribs.size() / 2].find("left")->array();
   const auto at = rig.at(*end[0].number(), *end[1].number());
-  const auto drag = [&](double by) {
-    rig.host.clockMs += 16;
-    rig.pointer(PointerKind::Move, at.x + by, at.y);
-    rig.app->frame();
-  };
+  const auto drag = [&](double by) { moveTo(rig, at.x + by, at.y); };
   rig.pointer(PointerKind::Down, at.x, at.y);
   rig.gl->slow = true;
   int draws = rig.gl->draws;
