@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "web/model/json.h"
+#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -82,6 +83,12 @@ std::vector<Line> hand() {
                    {0.15, 0}})};
 }
 
+// The unit alone of a length as the page says it.
+std::string_view unitOf(const char* length) {
+  const std::string_view said = words::tr(length, {{"n", 1}});
+  return said.substr(std::min(said.size(), said.find(' ') + 1));
+}
+
 }  // namespace
 
 std::span<const Thing> things() { return kThings; }
@@ -119,9 +126,11 @@ std::optional<double> millimetresFrom(std::string_view text) {
   std::string_view unit = std::string_view(plain).substr(unitAt);
   while (!unit.empty() && std::isspace(static_cast<unsigned char>(unit.front()))) unit.remove_prefix(1);
   while (!unit.empty() && std::isspace(static_cast<unsigned char>(unit.back()))) unit.remove_suffix(1);
-  if (unit == "mm") return *value;
-  if (unit.empty() || unit == "cm") return *value * 10;
-  if (unit == "m") return *value * 1000;
+  // In Latin letters, or as the page says it in its language.
+  const auto is = [&](std::string_view latin, const char* length) { return unit == latin || unit == unitOf(length); };
+  if (is("mm", "{n} mm")) return *value;
+  if (unit.empty() || is("cm", "{n} cm")) return *value * 10;
+  if (is("m", "{n} m")) return *value * 1000;
   return std::nullopt;
 }
 

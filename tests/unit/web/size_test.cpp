@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "tests/unit/web/longer_words.h"
 #include "tests/unit/web/rig.h"
 #include "web/model/print_report.h"
 #include "web/model/thickening.h"
@@ -11,6 +12,7 @@
 
 using namespace spineloft;
 using spineloft::test::Rig;
+using spineloft::test::Speaking;
 
 TEST_CASE("what people type about a height is understood, and what they read can be typed again") {
   CHECK(app::millimetresFrom("4") == 40.0);
@@ -28,6 +30,28 @@ TEST_CASE("what people type about a height is understood, and what they read can
     REQUIRE(again);
     CHECK(std::abs(*again - mm) <= std::max(0.005, mm * 1e-4));
   }
+}
+
+namespace {
+
+/// Says centimetres in Arabic, and nothing else.
+class ArabicLengths final : public words::Source {
+ public:
+  std::string translated(std::string_view english, std::string_view) override {
+    return english == "{n} cm" ? "1 سم" : std::string();
+  }
+  std::string drawn(std::string_view text) override { return std::string(text); }
+};
+
+}  // namespace
+
+TEST_CASE("a unit is understood as the page says it and in Latin letters") {
+  ArabicLengths arabic;
+  const Speaking speaking({"ar", true, &arabic});
+  CHECK(app::millimetresFrom("12,5 سم") == 125.0);
+  CHECK(app::millimetresFrom("12.5cm") == 125.0);
+  CHECK(app::millimetresFrom("8 mm") == 8.0);
+  CHECK_FALSE(app::millimetresFrom("8 مم"));
 }
 
 TEST_CASE("every thing is drawn as tall and as wide as it is") {
