@@ -15,8 +15,9 @@ import { buildDir, root } from './lib/paths.mjs';
 import { duration, mainProgram, output, run, say, Stop } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
-/** How many times as long `npm run test:all` runs what is random. */
-const kManyRounds = 20;
+/** How many times as long `npm run test:all` runs what is random: natively, and where every step takes several times. */
+const kManyRounds = 20,
+  kSlowRounds = 3;
 
 /** A page test waits for a third of its time: for frames, for the disk, for pauses that a hand makes. */
 const kPageLanes = kLanesPerProcessor - 1;
@@ -151,9 +152,24 @@ const kBuilds = {
 const kStages = {
   arrows: { title: 'House rules: include arrows, file lengths, format', needs: ['node', 'format'], work: arrows },
   types: { title: 'TypeScript types', needs: ['node'], work: types },
-  asan: { title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer', builds: ['asan'], work: asan },
-  wasm: { title: 'Engine as WebAssembly, single thread, under Node', builds: ['wasm'], work: wasmSingle },
-  threads: { title: 'Engine as WebAssembly with threads, under Node', builds: ['wasm'], work: wasmThreads },
+  asan: {
+    title: 'Engine under AddressSanitizer and UndefinedBehaviorSanitizer',
+    builds: ['asan'],
+    work: asan,
+    isSlow: true,
+  },
+  wasm: {
+    title: 'Engine as WebAssembly, single thread, under Node',
+    builds: ['wasm'],
+    work: wasmSingle,
+    isSlow: true,
+  },
+  threads: {
+    title: 'Engine as WebAssembly with threads, under Node',
+    builds: ['wasm'],
+    work: wasmThreads,
+    isSlow: true,
+  },
   native: { title: 'Engine, native and optimised', builds: ['native'], work: native },
   shell: { title: 'The shell without a browser', needs: ['node'], builds: ['site'], work: shell },
   share: { title: 'The share server, on SQLite and PostgreSQL', needs: ['node', 'database'], work: share },
@@ -190,8 +206,7 @@ function options() {
   const unknown = names.find((name) => !kStages[name]);
   if (unknown !== undefined)
     throw new Stop(`There is no stage '${unknown}'; there are ${Object.keys(kStages).join(', ')}.`);
-  const rounds = process.env.SPINELOFT_ROUNDS ?? String(values.all ? kManyRounds : 1);
-  return { names, env: { SPINELOFT_ROUNDS: rounds } };
+  return { names, all: values.all };
 }
 
 /**
@@ -216,6 +231,12 @@ function startBuilds(names, env) {
   return { first, builds: Object.fromEntries(builds) };
 }
 
+/** $SPINELOFT_ROUNDS goes before what is usual. */
+function environment(name, all) {
+  const usual = all ? (kStages[name].isSlow ? kSlowRounds : kManyRounds) : 1;
+  return { SPINELOFT_ROUNDS: process.env.SPINELOFT_ROUNDS ?? String(usual) };
+}
+
 async function runStage(name, { first, builds }, env) {
   const { title, work } = kStages[name];
   let counts;
@@ -237,15 +258,15 @@ async function runStage(name, { first, builds }, env) {
 
 await mainProgram(async () => {
   const started = Date.now();
-  const { names, env } = options();
+  const { names, all } = options();
   say('== Set-up and builds');
-  const prepared = startBuilds(names, env);
-  const results = await Promise.all(names.map((name) => runStage(name, prepared, env)));
+  const prepared = startBuilds(names, environment('native', all));
+  const results = await Promise.all(names.map((name) => runStage(name, prepared, environment(name, all))));
   say('\n== Summary: stages share the processors, so their times overlap');
   for (const { name, note, time, ...counts } of results)
     say(`${name.padEnd(15)} ${countsLine(counts).padEnd(36)} ${time.padStart(12)}${note ? `  ${note}` : ''}`);
-  const all = sumCounts(results);
+  const sum = sumCounts(results);
   say(`All stages took ${duration(Date.now() - started)}; their logs are in ${join(buildDir, 'logs')}.`);
-  say(countsLine(all));
-  return all.failed ? 1 : 0;
+  say(countsLine(sum));
+  return sum.failed ? 1 : 0;
 });
