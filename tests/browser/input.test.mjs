@@ -101,7 +101,7 @@ test('a phone: what is said lies on the panel and leaves its tabs free, with a b
     await toast.waitFor({ state: 'detached', timeout: 1000 });
   }));
 
-test('what a toast offers to do to a model goes when another one is opened', () =>
+test('what a toast says of a model goes when another one is opened', () =>
   onPage(kit, kPhone, async (page) => {
     await done(page, 'new-sketch');
     const { width, height } = (await state(page)).picture;
@@ -111,6 +111,11 @@ test('what a toast offers to do to a model goes when another one is opened', () 
     await offer.waitFor();
     await done(page, 'new-model');
     assert.equal(await offer.count(), 0);
+    await openWithPart(page, tube.png, tube.middle);
+    await done(page, 'check-print');
+    assert.notEqual(await page.locator('.toast').count(), 0);
+    await done(page, 'new-model');
+    assert.equal(await page.locator('.toast').count(), 0, 'what was said of the model is gone, too');
   }));
 
 test('the smallest phone: one column of tools beside the picture, and a tap on the dots brings the others by their names', () =>

@@ -161,6 +161,26 @@ test('the next pupil begins with an empty page and few tools; the models stay, u
     assert.equal(await history(page), first, 'whoever comes back goes on with all of it');
   }));
 
+test('paper that nobody has drawn on is gone when it is left; with a line it is kept', () =>
+  onEmptyDevice(async (page) => {
+    const paper = () => done(page, 'new-sketch');
+    await paper();
+    await onceKept(page);
+    await done(page, 'next-pupil');
+    assert.equal(await page.getByRole('dialog').count(), 0, 'there is nothing to put away');
+    assert.deepEqual(await models(page), []);
+    await paper();
+    await onceKept(page);
+    await reload(page);
+    assert.notEqual((await state(page)).picture, null, 'it was not left');
+    await done(page, 'new-model');
+    assert.deepEqual(await models(page), []);
+    await paper();
+    await done(page, 'draw-on-sketch', { stroke: [40, 60, 80].map((x) => [x, 60]) });
+    await done(page, 'new-model');
+    assert.equal((await models(page)).length, 1);
+  }));
+
 test('without an answer nobody is sent away', () =>
   onEmptyDevice(async (page) => {
     await drawPart(page);

@@ -148,6 +148,35 @@ test('on a phone what comes next moves nothing, however long its words are in a 
     );
   }));
 
+test('on a phone Undo is whole in every language; words on other buttons give way', () =>
+  onPage(kit, kPhone, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    for (const id of ['de', 'fr', 'es', 'ja', 'ar', 'en']) {
+      await speak(page, id);
+      const cut = await page.evaluate(() => {
+        const box = document.getElementById('bar-items').getBoundingClientRect();
+        return [...document.querySelectorAll('#bar-items button')]
+          .filter((button) => button.offsetWidth > 0)
+          .map((button) => [button.dataset.command, button.getBoundingClientRect()])
+          .filter(([, at]) => at.left < box.left - 1 || at.right > box.right + 1)
+          .map(([command]) => command);
+      });
+      assert.deepEqual(cut, [], id);
+      assert.equal(await page.locator('#bar-items [data-command=undo]').isVisible(), true, id);
+    }
+  }));
+
+test('a model that nobody has named is called so in the language of the page', () =>
+  onPage(kit, { alone: true, locale: 'de' }, async (page) => {
+    await spoken(page, 'de');
+    await done(page, 'new-sketch');
+    await done(page, 'draw-spine', { stroke: [40, 60, 80].map((x) => [x, 60]) });
+    await done(page, 'new-model');
+    const card = page.locator('#models-cards .model-name');
+    await card.waitFor();
+    assert.equal(await card.innerText(), german.Model);
+  }));
+
 test('on a phone the button of what is said holds its words in every language', () =>
   onPage(kit, { ...kPhone, locale: 'de' }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

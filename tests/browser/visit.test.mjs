@@ -21,6 +21,12 @@ const kit = useSite();
 const tube = tubePicture();
 const kMostInMenu = 14;
 
+const oval = (x, y, rx, ry, count = 32) =>
+  Array.from({ length: count + 1 }, (_, i) => {
+    const turn = (2 * Math.PI * i) / count;
+    return [x + rx * Math.cos(turn), y + ry * Math.sin(turn)];
+  });
+
 for (const [name, context] of Object.entries({ desktop: {}, phone: kPhone })) {
   test(`More is short, opens at its top and offers only what can be done (${name})`, () =>
     onPage(kit, context, async (page) => {
@@ -67,13 +73,37 @@ test('Home shows the start page and keeps the model; Help tells and begins', () 
     assert.equal(await page.locator('#home').isDisabled(), true, 'there is nowhere else to go home to');
     await page.locator('#models-cards .model-open').first().click();
     await page.waitForFunction(() => window.spineloft.state().parts.length === 1);
-    await page.locator('#bar-help').click();
+    await page.locator('#home').click();
+    await page.locator('#things').click();
     const help = page.getByRole('dialog', { name: 'Help' });
     await help.getByText('A sausage').click();
     await help.getByRole('button', { name: 'Make one' }).first().click();
     await page.waitForFunction(() => window.spineloft.state().picture?.sketch === true);
     assert.equal((await state(page)).parts.length, 0, 'on a model of its own');
-    assert.match(await page.locator('#coach').innerText(), /outline/);
+    const hint = page.locator('#hint'),
+      coach = page.locator('#coach'),
+      ghost = page.locator('#ghost-layer .ghost');
+    assert.match(await hint.innerText(), /outline of a long sausage.*\(1 of 4\)/);
+    assert.equal(await coach.isVisible(), false, 'once, not in both places');
+    await ghost.waitFor({ state: 'attached' });
+    const { width, height } = (await state(page)).picture;
+    await drawWithMouse(page, oval(width / 2, height / 2, width * 0.3, height * 0.15));
+    await page.waitForFunction(() => window.spineloft.state().tool === 'draw');
+    assert.equal(await hint.isVisible(), false);
+    assert.equal(await ghost.count(), 0);
+    assert.match(await coach.innerText(), /end to end \(2 of 4\)/);
+    await run(page, 'puff');
+    assert.equal(await hint.isVisible(), false, 'the tool says what it does');
+    await run(page, 'draw');
+    await drawWithMouse(page, [
+      [width * 0.25, height / 2],
+      [width * 0.75, height / 2],
+    ]);
+    assert.match(await coach.innerText(), /turn it round \(3 of 4\)/);
+    await run(page, 'hollow-show');
+    assert.equal(await coach.isVisible(), false, 'silent while something is asked');
+    await run(page, 'hollow-cancel');
+    assert.equal(await coach.isVisible(), true);
   }));
 
 test('a first visit has few tools, is led on after the first part, and what was chosen is remembered', () =>

@@ -6,8 +6,10 @@ import test from 'node:test';
 import { root } from '../../.ci/lib/paths.mjs';
 import { load } from './support/load.mjs';
 
-const { findCommands } = await load('find_commands.ts');
+const { choicesOf, findCommands } = await load('find_commands.ts');
 const { kFirstVisit, kTasks, Steps } = await load('tasks.ts');
+const { adviceFor } = await load('advice.ts');
+const { isBlank } = await load('shell_view.ts');
 
 const documented = JSON.parse(readFileSync(join(root, 'assets/docs/commands.json'), 'utf8'));
 const commands = documented.map((row) => ({ ...row, icon: '', enabled: true }));
@@ -52,6 +54,25 @@ test('more words find less; what can be run stands first among equals; choices a
   assert.equal(findCommands(table, '')[1].leads, true);
 });
 
+test('the words of a command find one line that leads to its choices; of the same worth those of the menus come first', () => {
+  const choices = ['At the top', 'In front', 'Open'].map((label) => ({ value: label, label }));
+  const table = [
+    { id: 'a', label: 'Make it open', enabled: true },
+    { id: 'b', label: 'Opening', enabled: true, argument: { key: 'at', choices } },
+    { id: 'c', label: 'Open picture', enabled: true },
+    { id: 'd', label: 'Open file', enabled: true, menu: 'Model' },
+  ];
+  const labels = (query) => findCommands(table, query).map(({ label }) => label);
+  assert.deepEqual(labels('opening'), ['Opening']);
+  assert.deepEqual(labels('open'), ['Open file', 'Open picture', 'Make it open', 'Opening: Open', 'Opening']);
+  assert.deepEqual(labels('top'), ['Opening: At the top']);
+  assert.equal(findCommands(table, 'opening')[0].leads, true);
+  assert.deepEqual(
+    choicesOf(table[1]).map(({ args }) => args.at),
+    ['At the top', 'In front', 'Open'],
+  );
+});
+
 const kNothing = {
   parts: 0,
   solids: 0,
@@ -86,7 +107,6 @@ for (const { id, steps } of [{ id: 'the first visit', steps: kFirstVisit }, ...k
     assert.equal(led.next(kNothing), steps[0]);
     assert.equal(led.next(kAll), null);
     assert.equal(led.next(kNothing), null);
-    assert.deepEqual(led.count, { done: steps.length, all: steps.length });
   });
 }
 
@@ -96,4 +116,42 @@ test('a step that is done out of order is not asked for again', () => {
   const after = led.next({ ...kNothing, parts: 2, unsaved: true, turned: true, shaped: 1 });
   assert.notEqual(after, kFirstVisit[2], 'the second part is there already');
   assert.equal(after, kFirstVisit[3]);
+});
+
+test('the number that is told with a step is its place in the list, whatever was done before it', () => {
+  for (const { steps } of [{ steps: kFirstVisit }, ...kTasks]) {
+    const led = new Steps(steps, kNothing);
+    steps.forEach((step, i) => assert.equal(led.place(step), i + 1));
+  }
+  const led = new Steps(kFirstVisit, { ...kNothing, parts: 1, unsaved: true });
+  const first = led.next({ ...kNothing, parts: 2, shaped: 1, unsaved: true });
+  assert.equal(led.place(first), 1, 'two later steps are done');
+});
+
+test('what the ghost hand draws stays on the paper, whose sides are as 3 to 4 or longer', () => {
+  const drawings = kTasks.flatMap(({ steps }) => steps.flatMap(({ drawing }) => (drawing ? [drawing] : [])));
+  assert.equal(drawings.length, kTasks.filter(({ on }) => on === 'paper').length, 'one for each task on paper');
+  for (const drawing of drawings) for (const [x, y] of drawing) assert.ok(Math.max(Math.abs(x), Math.abs(y)) < 0.45);
+});
+
+test('advice is of the tool in hand: none where another tool says what it does', () => {
+  const paper = { sketch: true, strokes: 0, finished: false };
+  const at = (tool, picture) => adviceFor({ picture, parts: 0, penMenu: false, tool });
+  const drawn = { ...paper, strokes: 1, finished: true };
+  assert.match(at('pen', paper), /outline/);
+  assert.match(at('pen', drawn), /Take Line/);
+  assert.equal(at('draw', drawn), '', 'the tools are offered beside the drawing');
+  assert.match(at('draw', { ...paper, sketch: false }), /middle/);
+  for (const tool of ['puff', 'sheet', 'spin', 'layers', 'shapes', 'lines', 'hand', 'bone', 'move'])
+    for (const picture of [paper, drawn, { ...paper, sketch: false }]) assert.equal(at(tool, picture), '', tool);
+  assert.equal(adviceFor({ picture: paper, parts: 1, penMenu: false, tool: 'pen' }), '');
+});
+
+test('a board is blank with one sheet of paper and nothing on it', () => {
+  const blank = { parts: 0, pictures: 1, picture: { sketch: true, strokes: 0 } };
+  assert.equal(isBlank(blank), true);
+  for (const more of [{ parts: 1 }, { pictures: 2 }, { picture: { sketch: true, strokes: 1 } }])
+    assert.equal(isBlank({ ...blank, ...more }), false);
+  assert.equal(isBlank({ ...blank, picture: { sketch: false, strokes: 0 } }), false, 'a photo');
+  assert.equal(isBlank({ ...blank, pictures: 0, picture: null }), false, 'nothing was begun');
 });

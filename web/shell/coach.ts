@@ -1,13 +1,26 @@
-// What to do next, one sentence in the status line: the first visit's steps, or those of a task that Help began. It is
-// never over the drawing, and can be closed for good.
+// What to do next, one sentence in the status line: the first visit's steps, or those of a task that Help began. It can be
+// closed for good, and is silent while the page asks something.
+import type { Command } from './api.ts';
 import { byId } from './dom.ts';
 import { icon } from './icons.ts';
 import type { ShellView } from './shell_view.ts';
+import type { Drawing } from './task_drawings.ts';
 import { kFirstVisit, Steps } from './tasks.ts';
 import type { Task } from './tasks.ts';
+import { isAsked, onToasts } from './toasts.ts';
 import { t } from './words/words.ts';
 
 const kClosed = 'spineloft.coach';
+
+/** A step as it is told. */
+export interface Advised {
+  words: string;
+  /** What the ghost hand shows on empty paper. */
+  drawing: Drawing | null;
+}
+
+/** Commands that answer a question which is open on the canvas while they can be run. */
+const kAnswers = ['hollow-use', 'cut-use'];
 
 export class Coach {
   private readonly line = byId('coach');
@@ -15,11 +28,13 @@ export class Coach {
   private steps: Steps | null = null;
   private task: Task | null = null;
   private isWanted = readWanted();
+  private isTold = false;
 
   constructor() {
     byId('coach-close').append(icon('x'));
     byId('coach-close').addEventListener('click', () => this.end());
     this.line.prepend(icon('lightbulb'));
+    onToasts(() => this.show());
   }
 
   /** Leads through a task, or once more through the first visit. */
@@ -30,29 +45,43 @@ export class Coach {
     keepWanted(true);
   }
 
-  /** Follows what is done; the first visit's steps begin with its first part. */
-  update(view: ShellView): void {
+  /** Follows what is done; the first visit's steps begin with its first part. What to do next, null where nothing is to be said. */
+  next(view: ShellView, commands: readonly Command[]): Advised | null {
     if (!view.picture || !this.isWanted || (!this.task && view.parts === 0)) {
-      this.line.hidden = true;
       if (!view.picture) this.steps = null;
-      return;
+      return null;
     }
     this.steps ??= new Steps(this.task?.steps ?? kFirstVisit, view);
     const step = this.steps.next(view);
     if (step === null) {
       this.end();
-      return;
+      return null;
     }
-    this.line.hidden = false;
-    const { done, all } = this.steps.count;
-    const words = t('{step} ({n} of {all})', { step: t(step.say), n: done + 1, all });
-    if (this.words.textContent !== words) this.words.textContent = words;
+    const asked = commands.find(({ id, enabled }) => enabled && kAnswers.includes(id));
+    if (asked && asked.id !== step.answers) return null;
+    const words = t('{step} ({n} of {all})', {
+      step: t(step.say),
+      n: this.steps.place(step),
+      all: this.steps.steps.length,
+    });
+    return { words, drawing: step.drawing ?? null };
+  }
+
+  /** Tells this in the status line; null: nothing is to be told there. */
+  tell(step: Advised | null): void {
+    this.isTold = step !== null;
+    if (step && this.words.textContent !== step.words) this.words.textContent = step.words;
+    this.show();
+  }
+
+  private show(): void {
+    this.line.hidden = !this.isTold || isAsked();
   }
 
   private end(): void {
     this.isWanted = false;
     this.task = null;
-    this.line.hidden = true;
+    this.tell(null);
     keepWanted(false);
   }
 }

@@ -24,17 +24,17 @@ const kBar = [
 ];
 /** The headings of the menu in their order; others stand behind them. */
 const kHeadings = ['Model', 'Pictures', 'Part', 'Together', 'Print', 'Help'];
-/** What leaves the bar first when it is too narrow: the panel, or the More menu, has it as well. */
+/** What leaves the bar first when it is too narrow: the panel, or the More menu, has it as well. Undo stays. */
 const kGivesWay = ['delete-part', 'set-caps', 'set-section', 'new-part', 'redo', 'open-picture'];
 export class CommandBar {
   private readonly items = byId('bar-items');
   private readonly more = byId<HTMLButtonElement>('bar-more');
   private readonly help = byId<HTMLButtonElement>('bar-help');
   private readonly save = byId<HTMLButtonElement>('bar-save');
+  private readonly saveWord = make('span', {}, 'Save');
   private readonly toolbar = byId('bar');
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private commands: Command[] = [];
-  private hidden = new Set<string>();
 
   constructor(
     private readonly run: Run,
@@ -44,7 +44,7 @@ export class CommandBar {
     this.more.append(icon('ellipsis'), make('span', { class: 'bar-label' }, 'More'));
     this.help.append(icon('circle-question-mark'), make('span', { class: 'bar-label' }, 'Help'));
     this.help.addEventListener('click', () => this.run('help'));
-    this.save.append(icon('download'), make('span', {}, 'Save'), icon('chevron-down'));
+    this.save.append(icon('download'), this.saveWord, icon('chevron-down'));
     this.more.addEventListener('click', () => toggleMenu(this.more, 'More', this.moreGroups()));
     this.save.addEventListener('click', () => this.openSaveMenu());
     this.toolbar.addEventListener('keydown', (event) => this.moveFocus(event));
@@ -187,7 +187,7 @@ export class CommandBar {
   private moreGroups(): MenuGroup[] {
     const groups: MenuGroup[] = [];
     for (const command of this.allNow()) {
-      const isShown = this.buttons.has(command.id) && !this.hidden.has(command.id);
+      const isShown = this.buttons.get(command.id)?.hidden === false;
       if (!command.menu || !command.enabled || isShown) continue;
       const item = command.argument?.choices ? this.leadingItem(command) : this.plainItem(command, false);
       const group = groups.find(({ title }) => title === command.menu);
@@ -198,15 +198,15 @@ export class CommandBar {
     return groups.sort((a, b) => place(a) - place(b));
   }
 
+  /** Shows what there is room for: after the buttons of kGivesWay the word on Save goes, then Help and Line. */
   private fit(): void {
-    this.hidden = new Set();
-    for (const button of this.buttons.values()) button.hidden = false;
-    for (const id of kGivesWay) {
+    const button = (id: string) => this.buttons.get(id);
+    const last = [this.saveWord, this.help, button('draw')];
+    const giveWay = [...kGivesWay.map(button), ...last].filter((element) => element !== undefined);
+    for (const element of giveWay) element.hidden = false;
+    for (const element of giveWay) {
       if (this.items.scrollWidth <= this.items.clientWidth + 1) break;
-      const button = this.buttons.get(id);
-      if (!button) continue;
-      button.hidden = true;
-      this.hidden.add(id);
+      element.hidden = true;
     }
     const stop = this.toolbar.querySelector<HTMLElement>('[tabindex="0"]');
     if (!stop || stop.hidden) this.setStop(this.stops()[0]);

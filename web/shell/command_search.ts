@@ -2,9 +2,10 @@
 import type { Command } from './api.ts';
 import { openDialog } from './dialogs.ts';
 import { firstShortcut, make, setAttribute, shortcutText } from './dom.ts';
-import { findCommands } from './find_commands.ts';
+import { choicesOf, findCommands } from './find_commands.ts';
 import type { Found } from './find_commands.ts';
 import { icon } from './icons.ts';
+import { leadsOn } from './menu.ts';
 import { t } from './words/words.ts';
 
 const kMost = 60;
@@ -24,6 +25,7 @@ function option(found: Found, at: number): HTMLElement {
   if (detail) words.append(make('span', { class: 'menu-detail' }, detail));
   line.append(icon(command.icon), words);
   if (command.shortcut && !found.args) line.append(make('kbd', {}, shortcutText(firstShortcut(command.shortcut))));
+  if (found.leads) line.append(leadsOn());
   return line;
 }
 
@@ -60,22 +62,23 @@ export function openCommandSearch(
     if (!one?.command.enabled) return;
     if (one.leads) {
       input.value = one.label;
-      show();
+      show(choicesOf(one.command));
       input.focus();
       return;
     }
     dialog.close();
     run(one.command.id, one.args);
   };
-  const show = () => {
-    found = findCommands(commands, input.value).slice(0, kMost);
+  const show = (lines: Found[]) => {
+    found = lines.slice(0, kMost);
     list.replaceChildren(...found.map(option));
     [...list.children].forEach((line, i) => line.addEventListener('click', () => accept(i)));
     none.textContent = found.length === 0 ? t('Nothing is called that. Try another word.') : '';
     list.scrollTop = 0;
     choose(0);
   };
-  input.addEventListener('input', show);
+  const search = () => show(findCommands(commands, input.value));
+  input.addEventListener('input', search);
   input.addEventListener('keydown', (event) => {
     const to = { ArrowDown: chosen + 1, ArrowUp: chosen - 1 }[event.key];
     if (to !== undefined) choose(to);
@@ -83,6 +86,6 @@ export function openCommandSearch(
     else return;
     event.preventDefault();
   });
-  show();
+  search();
   input.focus();
 }

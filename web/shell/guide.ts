@@ -1,8 +1,12 @@
-// What a newcomer sees over the canvas: one line of advice, and on the first sample the ghost hand.
+// What a newcomer sees over the canvas: one line of advice, and the ghost hand on the first sample and in tasks.
+import { adviceFor } from './advice.ts';
+import type { Advised } from './coach.ts';
 import { byId } from './dom.ts';
 import { ghostHand } from './ghost_hand.ts';
+import type { GhostPath } from './ghost_hand.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Sample } from './start_page.ts';
+import type { Drawing } from './task_drawings.ts';
 import { canvasLength, canvasUnit, putOver } from './text_size.ts';
 import { t } from './words/words.ts';
 
@@ -14,49 +18,62 @@ const kGap = 12,
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
 
-/** One line about what to do next; '' where none is needed. */
-function adviceFor({ picture, parts, tool, penMenu }: ShellView): string {
-  if (!picture || parts > 0 || penMenu) return ''; // a menu needs the room
-  if (tool === 'spin' || tool === 'layers' || tool === 'shapes' || tool === 'lines') return ''; // the view says what to draw
-  if (picture.sketch && picture.strokes === 0) return 'Draw the outline of a thing';
-  if (picture.sketch && tool !== 'draw') return picture.finished ? 'Take Line and draw through its middle' : '';
-  if (picture.sketch && picture.finished) return ''; // line, puff and flat are offered beside the drawing
-  if (tool === 'puff' || tool === 'sheet') return ''; // the bar of the tool is there
-  return 'Draw a line through the middle of the thing';
-}
-
 export class Guide {
   private readonly hint = byId('hint');
   private readonly layer = byId('ghost-layer');
   private sample: Sample | null = null;
-  private ghost: SVGElement | null = null;
+  /** What the ghost drew, and who puts a pen down has understood. */
+  private understood: Drawing | null = null;
+  private ghost: { element: SVGElement; of: Sample | Drawing } | null = null;
 
   constructor() {
-    // Who puts a pen down has understood.
     byId('canvas').addEventListener('pointerdown', () => this.offer(null));
   }
 
   /** The sample whose line is to be shown over the picture, or none. */
   offer(sample: Sample | null): void {
     this.sample = sample;
-    this.ghost?.remove();
-    this.ghost = null;
+    if (this.ghost && !('spine' in this.ghost.of)) this.understood = this.ghost.of;
+    this.clear();
   }
 
-  /** Follows the picture while there is no part; then it is gone for good. */
-  update(view: ShellView): void {
+  /**
+   * Follows the picture while there is no part; then it is gone for good. A step of a task takes the place of the usual advice.
+   * True where the advice is shown.
+   */
+  update(view: ShellView, step: Advised | null): boolean {
     const advice = adviceFor(view);
     this.hint.hidden = advice === '';
     if (advice === '' || !view.picture) {
-      this.offer(null);
-      return;
+      this.sample = null;
+      this.clear();
+      return false;
     }
-    const words = t(advice);
+    const words = step?.words ?? t(advice);
     if (this.hint.textContent !== words) this.hint.textContent = words;
-    const { width, height, topLeft, bottomRight } = view.picture;
+    const { topLeft, bottomRight } = view.picture;
     this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
-    const fits = this.sample?.width === width && this.sample.height === height;
-    if (this.sample && fits) this.placeGhost(this.sample, topLeft, bottomRight);
+    const shown = this.sample ?? step?.drawing ?? null;
+    if (this.ghost?.of !== shown) this.clear();
+    const path = shown && this.pathOf(shown, view.picture);
+    if (shown && path) this.placeGhost(shown, path, topLeft, bottomRight);
+    return true;
+  }
+
+  private clear(): void {
+    this.ghost?.element.remove();
+    this.ghost = null;
+  }
+
+  /** What the ghost draws on this picture; null: it does not belong on it, or need not be shown again. */
+  private pathOf(
+    shown: Sample | Drawing,
+    { width, height, strokes }: NonNullable<ShellView['picture']>,
+  ): GhostPath | null {
+    if ('spine' in shown) return shown.width === width && shown.height === height ? shown : null;
+    if (shown === this.understood || strokes > 0) return null;
+    const side = Math.min(width, height);
+    return { width, height, spine: shown.map(([x, y]) => [width / 2 + x * side, height / 2 + y * side]) };
   }
 
   private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): void {
@@ -78,13 +95,17 @@ export class Guide {
     this.hint.style.transform = `translate(${canvasLength(Math.round(x))}, ${canvasLength(Math.round(y))})`;
   }
 
-  private placeGhost(sample: Sample, topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }): void {
+  private placeGhost(
+    of: Sample | Drawing,
+    path: GhostPath,
+    topLeft: { x: number; y: number },
+    bottomRight: { x: number; y: number },
+  ): void {
     const width = bottomRight.x - topLeft.x;
-    const isNew = this.ghost === null;
-    const ghost = isNew ? ghostHand(sample, sample.width / Math.max(1, width)) : null;
-    this.ghost ??= ghost!.element;
-    if (isNew) this.layer.append(this.ghost);
-    putOver(this.ghost, [topLeft.x, topLeft.y, width, bottomRight.y - topLeft.y]);
+    const ghost = this.ghost ? null : ghostHand(path, path.width / Math.max(1, width));
+    this.ghost ??= { element: ghost!.element, of };
+    if (ghost) this.layer.append(ghost.element);
+    putOver(this.ghost.element, [topLeft.x, topLeft.y, width, bottomRight.y - topLeft.y]);
     ghost?.play();
   }
 }

@@ -5,6 +5,7 @@ import './styles/class.css';
 import './styles/models.css';
 import './styles/popups.css';
 import './styles/start.css';
+import './styles/forced.css'; // last: it is over the others
 import { adoptWords, asIs, byId, make, translatePage } from './dom.ts';
 import type { Engine } from './engine.ts';
 import type { Failure } from './failure.ts';
@@ -140,6 +141,7 @@ function main(): void {
       whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
     },
     () => whenReady(() => page.drawOnPaper()),
+    () => whenReady(() => page.show('help')),
   );
   connectTooltips(byId('bar'));
   const classroom = new Classroom({

@@ -50,6 +50,13 @@ export function updateMenu(items: Pick<MenuItem, 'command' | 'value' | 'disabled
   }
 }
 
+/** The arrow of a line that leads to others; it points the way that the page is read. */
+export function leadsOn(): SVGElement {
+  const arrow = icon('chevron-right');
+  arrow.classList.add('leads-on');
+  return arrow;
+}
+
 function itemElement(item: MenuItem): HTMLElement {
   const role = item.kind ? `menuitem${item.kind}` : 'menuitem';
   const element = make('div', {
@@ -72,7 +79,7 @@ function itemElement(item: MenuItem): HTMLElement {
   if (item.detail) words.append(make('span', { class: 'menu-detail' }, item.detail));
   element.append(words);
   if (item.shortcut) element.append(make('kbd', {}, shortcutText(firstShortcut(item.shortcut))));
-  if (item.leads) element.append(icon('chevron-right'));
+  if (item.leads) element.append(leadsOn());
   return element;
 }
 
@@ -107,7 +114,7 @@ function handleKeys(event: KeyboardEvent, elements: HTMLElement[], close: (refoc
     case 'Tab':
       close(true);
       return;
-    case 'ArrowRight':
+    case document.dir === 'rtl' ? 'ArrowLeft' : 'ArrowRight':
       if (elements[at]?.hasAttribute('aria-haspopup')) elements[at]?.click();
       break;
     case 'Enter':

@@ -31,11 +31,12 @@ import { ToolChoice, wantsAllTools } from './tool_choice.ts';
 import { kSamples, sampleAddress } from './start_page.ts';
 import type { Sample } from './start_page.ts';
 import type { Task } from './tasks.ts';
-import { toast } from './toasts.ts';
+import { toast, toastOfModel } from './toasts.ts';
 import type { ToastAction } from './toasts.ts';
 import { gifOf, pngOf, stillOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
 import { isCutOutLikely, isSolidLikely, startCutter, startSolver } from './warm_up.ts';
+import { inLanguage, nameText } from './words/names.ts';
 import { keepLanguage, language, onLanguage, speak, t } from './words/words.ts';
 
 export class Page {
@@ -150,7 +151,7 @@ export class Page {
       case 'toast':
         // What a command says of its step takes the place of what is said of every step.
         if (event.level === 'info' && this.saysStep) this.say('');
-        toast(event.text, event.level, event.offer && this.actionOf(event.offer));
+        toastOfModel(event.text, event.level, event.offer && this.actionOf(event.offer));
         break;
       case 'file':
         download(event.name, event.mediaType, event.bytes);
@@ -293,6 +294,7 @@ export class Page {
       const sample = kSamples.find(({ id }) => id === task.on);
       if (sample) await this.openSample(sample, sampleAddress(sample), true);
       else this.drawOnPaper();
+      if (task.tool) this.run(task.tool);
     }
     this.refresh();
   }
@@ -372,7 +374,7 @@ export class Page {
     await engine.whole().catch(() => undefined); // then what needs it says so
     await keeper.openProject(bytes, await photosIn(engine, bytes));
     this.guide.offer(null);
-    this.sayUntilNext(t('{name} is open.', { name: engine.about().name }));
+    this.sayUntilNext(t('{name} is open.', { name: nameText(engine.about().name) }));
     this.refresh();
   }
 
@@ -541,8 +543,8 @@ export class Page {
     const commands = commandsNow(this.table, view);
     this.tools.see(commands.find(({ id }) => id === 'more-tools')?.toggled === true);
     this.bar.update(commands);
-    this.guide.update(view);
-    this.coach.update(view);
+    const step = this.coach.next(view, commands);
+    this.coach.tell(this.guide.update(view, step) ? null : step);
     byId('status-end').textContent = hasPicture ? summary(view) : '';
     this.showProgress();
   }
@@ -551,31 +553,6 @@ export class Page {
   get hasUnsavedWork(): boolean {
     return this.engine !== null && this.keeper?.isSafe !== true && this.engine.view.unsaved;
   }
-}
-
-/** A command with its words in the visitor's language: what the search looks through. */
-function inLanguage(command: Command): Command {
-  const { label, hint, argument } = command;
-  const choices = argument?.choices?.map((choice) => ({ ...choice, label: choiceText(choice.label) }));
-  return {
-    ...command,
-    label: t(label),
-    ...(hint ? { hint: t(hint) } : {}),
-    ...(argument && choices ? { argument: { ...argument, choices } } : {}),
-  };
-}
-
-/** What a choice is called: a name, words, or both parts of "Twist: One turn". */
-const choiceText = (label: string): string =>
-  label
-    .split(': ')
-    .map((words) => nameText(t(words)))
-    .join(': ');
-
-/** A name that the engine gave ("Part 2") in the visitor's language; any other is what a visitor typed. */
-function nameText(name: string): string {
-  const [, word, n] = /^(Part|Solid|Group|Sketch|Picture) (\d+)$/.exec(name) ?? [];
-  return word ? t(`${word} {n}`, { n: Number(n) }) : name;
 }
 
 /** Changes with whatever the visitor does to the model, or takes in hand. */

@@ -40,6 +40,11 @@ export interface ShellView {
   toggled: string;
 }
 
+/** Nothing but a sheet of paper that nobody has drawn on. */
+export function isBlank({ picture, pictures, parts }: ShellView): boolean {
+  return parts === 0 && pictures === 1 && picture?.sketch === true && picture.strokes === 0;
+}
+
 /** The rows of the table as they are now; their choices stay as they were. */
 export function commandsNow(table: readonly Command[], { enabled, toggled }: ShellView): Command[] {
   return table.map((command, i) => ({

@@ -98,7 +98,7 @@ function showPasteHint(): void {
 }
 
 /** Fills the start page and connects its buttons. */
-export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () => void): void {
+export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () => void, help: () => void): void {
   byId('samples').replaceChildren(...kSamples.map((sample, i) => card(sample, i === 0, open)));
   byId('choose').prepend(icon('image-plus'));
   byId('choose').addEventListener('click', pickPicture);
@@ -106,6 +106,8 @@ export function buildStartPage(open: (sample: Sample) => void, drawOnPaper: () =
   byId('camera').addEventListener('click', () => byId('camera-picker').click());
   byId('paper').prepend(icon('square-pen'));
   byId('paper').addEventListener('click', drawOnPaper);
+  byId('things').prepend(icon('lightbulb'));
+  byId('things').addEventListener('click', help);
   byId('privacy').prepend(icon('shield-check'));
   showPasteHint();
   onLanguage(showPasteHint);

@@ -1,8 +1,14 @@
 // Things to make, step by step: one sentence for each, and how the page sees that it is done.
 import type { ShellView } from './shell_view.ts';
+import { kBird, kBody, kMug, kSausage, kVase } from './task_drawings.ts';
+import type { Drawing } from './task_drawings.ts';
 
 export interface TaskStep {
   say: string;
+  /** What the ghost hand shows on empty paper. */
+  drawing?: Drawing;
+  /** The command that answers what the page asks on the way; whatever else it asks comes before the step. */
+  answers?: string;
   /** Whether it is done, `now` as against how things were when the task began. */
   done(now: ShellView, start: ShellView): boolean;
 }
@@ -13,6 +19,8 @@ export interface Task {
   minutes: number;
   /** What it begins with: a sample by its id, or paper. */
   on: string;
+  /** The command for the tool that its first step needs, where that is not the one that the page gives. */
+  tool?: string;
   /** One sentence about how to begin. */
   start: string;
   steps: TaskStep[];
@@ -34,8 +42,9 @@ const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
 
 const stick: TaskStep = { say: 'Press Stick under the list: the parts become one', done: joined };
 const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
-const turn: TaskStep = { say: 'Drag in the other view to turn it round', done: turned };
-const outline = (say: string): TaskStep => ({ say, done: outlined });
+const turn: TaskStep = { say: 'Drag beside the solid to turn it round', done: turned };
+const scoop: TaskStep = { say: 'Press Scoop out, then Make it hollow', done: hollow, answers: 'hollow-use' };
+const outline = (say: string, drawing: Drawing): TaskStep => ({ say, done: outlined, drawing });
 
 /** What the first visit is led through after its first part. */
 export const kFirstVisit: TaskStep[] = [
@@ -54,7 +63,7 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a long sausage with the pen'),
+      outline('Draw the outline of a long sausage with the pen', kSausage),
       { say: 'Draw a line from end to end', done: parts(1) },
       turn,
       save,
@@ -67,9 +76,9 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a vase with the pen'),
+      outline('Draw the outline of a vase with the pen', kVase),
       { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1) },
-      { say: 'Press Scoop out, then Make it hollow', done: hollow },
+      scoop,
       turn,
       save,
     ],
@@ -81,9 +90,9 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a mug, without its handle, with the pen'),
+      outline('Draw the outline of a mug, without its handle, with the pen', kMug),
       { say: 'Draw a line down its middle', done: parts(1) },
-      { say: 'Press Scoop out, then Make it hollow', done: hollow },
+      scoop,
       { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2) },
       { say: 'Press Stick: mug and handle become one', done: (now, start) => now.solids >= start.solids + 2 },
       save,
@@ -104,8 +113,8 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a bird from the side with the pen'),
-      { say: 'Take Puff, tap the bird and press Use this: it swells', done: parts(1) },
+      outline('Draw the outline of a bird from the side with the pen', kBird),
+      { say: 'Take Puff, tap the bird and press Use this: it swells', done: parts(1), answers: 'cut-use' },
       { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
       { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },
       stick,
@@ -117,9 +126,10 @@ export const kTasks: Task[] = [
     title: 'A robot',
     minutes: 10,
     on: 'paper',
+    tool: 'draw',
     start: 'Begin with Draw on paper.',
     steps: [
-      { say: 'Draw a line for the body', done: parts(1) },
+      { say: 'Draw a line for the body', done: parts(1), drawing: kBody },
       { say: 'Choose the square as its slice', done: otherShape },
       { say: 'Draw lines for head, arms and legs', done: parts(4) },
       stick,
@@ -144,7 +154,8 @@ export class Steps {
     return this.steps.find((step) => !this.done.has(step)) ?? null;
   }
 
-  get count(): { done: number; all: number } {
-    return { done: this.done.size, all: this.steps.length };
+  /** The number of a step in the list, as Help shows it. */
+  place(step: TaskStep): number {
+    return this.steps.indexOf(step) + 1;
   }
 }

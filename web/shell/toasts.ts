@@ -29,10 +29,19 @@ export interface ToastAction {
   run(): void;
 }
 
-/** Another model is open: what toasts offer to do to the one before goes. */
-export function withdrawOffers(): void {
-  for (const button of byId('toasts').querySelectorAll('.toast-action[data-command]'))
-    button.closest('.toast')?.remove();
+/** Another model is open: what is said of the one before goes, with what it offers. */
+export function withdrawToasts(): void {
+  for (const element of byId('toasts').querySelectorAll('[data-of-model]')) element.remove();
+}
+
+/** Whether a toast waits for an answer. */
+export function isAsked(): boolean {
+  return byId('toasts').querySelector('.toast-action') !== null;
+}
+
+/** Calls back when toasts come or go. */
+export function onToasts(listener: () => void): void {
+  new MutationObserver(listener).observe(byId('toasts'), { childList: true });
 }
 
 /**
@@ -40,6 +49,15 @@ export function withdrawOffers(): void {
  * is room for one, the last is shown.
  */
 export function toast(text: string, level: ToastLevel = 'info', action?: ToastAction): void {
+  show(text, level, action);
+}
+
+/** The same about the open model. */
+export function toastOfModel(text: string, level: ToastLevel = 'info', action?: ToastAction): void {
+  show(text, level, action).dataset.ofModel = '';
+}
+
+function show(text: string, level: ToastLevel, action?: ToastAction): HTMLElement {
   const stack = byId('toasts');
   for (const old of [...stack.children]) {
     if ((old as HTMLElement).dataset.text === text) old.remove();
@@ -94,4 +112,5 @@ export function toast(text: string, level: ToastLevel = 'info', action?: ToastAc
   element.addEventListener('focusin', stop);
   element.addEventListener('focusout', start);
   start();
+  return element;
 }

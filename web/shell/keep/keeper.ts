@@ -2,7 +2,9 @@
 // when keeping does not work. One tab writes a model (claims.ts); every step of it is written down (journal_writer.ts).
 import { hideBanner, showBanner } from '../banner.ts';
 import { Failure, sentenceOf } from '../failure.ts';
-import { toast, withdrawOffers } from '../toasts.ts';
+import { isBlank } from '../shell_view.ts';
+import type { ShellView } from '../shell_view.ts';
+import { toast, toastOfModel, withdrawToasts } from '../toasts.ts';
 import { animalOf } from './animals.ts';
 import type { Animal } from './animals.ts';
 import { makeClaims } from './claims.ts';
@@ -16,6 +18,7 @@ import { kOpenModel, ModelStore, newModelId } from './store.ts';
 import type { KeptModel, ModelInfo } from './store.ts';
 import { shrunkPicture } from './thumbnail.ts';
 import { StoreFailure, storeFailureOf } from './trouble.ts';
+import { nameText } from '../words/names.ts';
 import { language, t } from '../words/words.ts';
 
 /** What the keeper needs of the engine. */
@@ -27,6 +30,7 @@ export interface KeptEngine extends HistorySource {
   run(id: string, args?: Record<string, unknown>): void;
   thumbnail(width: number, height: number): Uint8ClampedArray | null;
   isIdle(): boolean;
+  readonly view: ShellView;
 }
 
 /** What the keeper needs of the page. */
@@ -70,6 +74,8 @@ export class Keeper {
   private readOnly = false;
   private askedToPersist = false;
   private keptAgain = new AbortController();
+  /** The open model, when it is to be left with nothing on it. */
+  private leftBlank: string | null = null;
 
   constructor(
     private readonly engine: KeptEngine,
@@ -120,6 +126,7 @@ export class Keeper {
 
   /** One step of the document. */
   take(event: JournalEvent): void {
+    this.leftBlank = null;
     this.writer.take(event);
     if (event.parts > 0) this.askToPersist();
   }
@@ -200,7 +207,8 @@ export class Keeper {
   /** Puts all models that are nobody's away under an animal, and begins afresh for whoever comes next. */
   async nextPupil(): Promise<void> {
     await this.settled();
-    const own = (await this.list()).filter((model) => !animalOf(model.whose ?? null));
+    const blank = isBlank(this.engine.view) ? this.current : null;
+    const own = (await this.list()).filter(({ id, whose }) => id !== blank && !animalOf(whose ?? null));
     const animal = own.length > 0 ? await this.page.askAnimal(own.length) : null;
     if (own.length > 0 && !animal) return;
     await this.change(async () => {
@@ -211,7 +219,7 @@ export class Keeper {
         toast(
           t('Put away under {animal}: {models}.', {
             animal: t(animal.name),
-            models: own.map((model) => model.name).join(', '),
+            models: own.map(({ name }) => nameText(name)).join(', '),
           }),
         );
     });
@@ -224,7 +232,7 @@ export class Keeper {
       const info = await this.store?.info(id);
       if (!info) return;
       const copy = await this.store?.duplicate(id, copyName(info.name), Date.now());
-      if (copy) toast(t('{name} is in your models.', { name: copy.name }));
+      if (copy) toast(t('{name} is in your models.', { name: nameText(copy.name) }));
       this.page.changed();
     });
   }
@@ -260,7 +268,7 @@ export class Keeper {
       if ((await this.elsewhere()).has(id))
         throw new Failure(
           'OpenElsewhere',
-          t('{name} is open in another tab. Close it there first.', { name: info.name }),
+          t('{name} is open in another tab. Close it there first.', { name: nameText(info.name) }),
         );
       if (id === this.current && !(await this.leave())) return;
       await this.store?.delete(id, Date.now());
@@ -271,7 +279,7 @@ export class Keeper {
         return;
       }
       const bringBack = () => this.change(async () => this.store?.undelete(id));
-      toast(t('{name} is deleted.', { name: info.name }), 'info', {
+      toast(t('{name} is deleted.', { name: nameText(info.name) }), 'info', {
         label: 'Undo',
         run: () => this.complainOf(bringBack()),
       });
@@ -323,6 +331,8 @@ export class Keeper {
     }
     if (!isEmpty) await this.keepThumbnail();
     await this.writer.settled();
+    this.leftBlank = isBlank(this.engine.view) ? this.current : null;
+    withdrawToasts();
     return true;
   }
 
@@ -330,8 +340,10 @@ export class Keeper {
   private settleOn(info: ModelInfo | null): void {
     const old = this.current;
     if (old && old !== info?.id) this.claims?.release(old);
+    // Paper that nobody has drawn on is nothing to come back to.
+    if (old && old === this.leftBlank) void this.store?.delete(old, Date.now()).catch(() => undefined);
+    this.leftBlank = null;
     clearTimeout(this.thumbnailTimer);
-    withdrawOffers();
     this.setReadOnly(false);
     this.writer.attach(info);
     this.rememberOpen(info?.id ?? null);
@@ -355,7 +367,7 @@ export class Keeper {
           damaged === 1
             ? 'The last step of {name} could not be read and is left out.'
             : 'The last {n} steps of {name} could not be read and are left out.';
-        toast(t(sentence, { n: damaged, name: kept.info.name }), 'error');
+        toastOfModel(t(sentence, { n: damaged, name: nameText(kept.info.name) }), 'error');
       }
     } catch (thrown) {
       if (id !== this.current) this.claims?.release(id);
@@ -383,11 +395,11 @@ export class Keeper {
     try {
       await this.openClaimed(id);
       const startOver = { label: 'Start a new one', run: () => this.complainOf(this.newModel()) };
-      const welcome = t('Welcome back. {name} is as you left it.', { name: info.name });
-      if (info.pictures > 0) toast(welcome, 'info', startOver);
+      const welcome = t('Welcome back. {name} is as you left it.', { name: nameText(info.name) });
+      if (info.pictures > 0) toastOfModel(welcome, 'info', startOver);
     } catch (thrown) {
       const why = t(sentenceOf(thrown));
-      toast(t('{name} could not be brought back: {why}', { name: info.name, why }), 'error');
+      toast(t('{name} could not be brought back: {why}', { name: nameText(info.name), why }), 'error');
     }
   }
 
@@ -403,7 +415,7 @@ export class Keeper {
   // ---- tabs -------------------------------------------------------------------------------------
 
   private async offerHeld(id: string): Promise<void> {
-    const name = (await this.store?.info(id))?.name ?? t('This model');
+    const name = nameText((await this.store?.info(id))?.name ?? t('This model'));
     showBanner({
       id: 'elsewhere',
       text: t('{name} is open in another tab. To keep both from writing over each other, only one tab can change it.', {
@@ -442,7 +454,9 @@ export class Keeper {
     this.setReadOnly(true);
     showBanner({
       id: 'elsewhere',
-      text: t('{name} is open in another tab now. Here it can only be looked at.', { name: this.engine.about().name }),
+      text: t('{name} is open in another tab now. Here it can only be looked at.', {
+        name: nameText(this.engine.about().name),
+      }),
       actions: [
         { label: 'Open a copy', run: () => this.complainOf(this.copyHere()) },
         {

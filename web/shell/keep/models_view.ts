@@ -6,6 +6,7 @@ import { toggleMenu } from '../menu.ts';
 import type { MenuItem } from '../menu.ts';
 import { animalOf } from './animals.ts';
 import type { ModelInfo } from './store.ts';
+import { nameText } from '../words/names.ts';
 import { language, t } from '../words/words.ts';
 
 /** What can be done with a model of the list. */
@@ -138,7 +139,7 @@ export class ModelsView {
       'button',
       { type: 'button', class: 'model-open', 'data-command': 'open-model' },
       frame,
-      make('span', { class: 'model-name', dir: 'auto' }, asIs(model.name)),
+      make('span', { class: 'model-name', dir: 'auto' }, asIs(nameText(model.name))),
       make('span', { class: 'model-detail' }, detail),
     );
     button.addEventListener('click', () => {
@@ -150,11 +151,11 @@ export class ModelsView {
       class: 'model-more',
       'aria-haspopup': 'menu',
       'aria-expanded': 'false',
-      'aria-label': t('More about {name}', { name: model.name }),
+      'aria-label': t('More about {name}', { name: nameText(model.name) }),
     });
     more.append(icon('ellipsis-vertical'));
     more.addEventListener('click', () =>
-      toggleMenu(more, model.name, [{ title: '', items: this.menu(model, isElsewhere) }]),
+      toggleMenu(more, nameText(model.name), [{ title: '', items: this.menu(model, isElsewhere) }]),
     );
     return make('li', { class: 'model', 'data-model': model.id }, button, more);
   }

@@ -6,6 +6,7 @@ import { ownAddress, wantedOf } from '../links.ts';
 import { readServerLink, serverLink } from '../room/address.ts';
 import type { ServerLink } from '../room/address.ts';
 import { connected } from '../room/host.ts';
+import { nameText } from '../words/names.ts';
 import { language, onLanguage, preferredLanguage, speak, t } from '../words/words.ts';
 import { wishOf } from './messages.ts';
 import type { News } from './messages.ts';
@@ -15,9 +16,6 @@ const isEmbedded = window.parent !== window;
 const likesCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const canvas = byId<HTMLCanvasElement>('canvas');
 const spinButton = byId('spin');
-
-/** What the engine calls a model that has no name yet. */
-const kUnnamed = 'Model';
 
 const moduleAt = <T>(path: string): Promise<T> => import(new URL(path, document.baseURI).href) as Promise<T>;
 
@@ -153,7 +151,7 @@ class Viewer {
 
   private shown(name: string, own: string | null): void {
     document.body.dataset.state = 'shown';
-    const called = name === kUnnamed ? t(name) : name;
+    const called = nameText(name);
     byId('name').textContent = called;
     if (called) document.title = `${called} · SpineLoft`;
     byId('tools').hidden = false;
