@@ -58,7 +58,20 @@ test('the page offers the languages of the catalogues, and English', () => {
   );
 });
 
+/** Labels of commands that a sentence names: with a capital, and not as its first word. */
+const labels = [...JSON.parse(source('assets/docs/commands.json')).map(({ label }) => label), 'Save', 'More'];
+const namedIn = (sentence) =>
+  labels.filter((label) => new RegExp(`[a-z,] ${label}(?![\\w"])`).test(sentence) && found.has(label));
+
 for (const [id, messages] of catalogues) {
+  test(`${id}: a sentence that names a command has its words in quotation marks`, () => {
+    const sentences = [...source('web/shell/tasks.ts').matchAll(/(?:say|start): '([^']+)'/g)].map(([, text]) => text);
+    const named = sentences.flatMap((text) => namedIn(text).map((label) => [text, messages[label]]));
+    assert.ok(named.length > 8, `${named.length}`);
+    for (const [text, label] of named)
+      assert.match(messages[text], new RegExp(`[„«「]\\u00a0?${label}\\u00a0?[“»」]`), text);
+  });
+
   test(`${id}: every text of the page has a message, and every message is of a text`, () => {
     const missing = [...found].filter(([text]) => !messages[text]?.trim());
     const unused = Object.keys(messages).filter((text) => !found.has(text));
