@@ -415,6 +415,22 @@ test('the ghost hand draws three times and rests; it leaves with the first part'
     assert.equal(await page.locator('#hint').isVisible(), false);
   }));
 
+test('with forced colours dialogs have an edge, and what cannot be pressed has the colour for that', () =>
+  onPage(kit, { alone: true, forcedColors: 'active' }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const colours = await page.evaluate(() => {
+      const grey = document.createElement('span');
+      grey.style.color = 'GrayText';
+      document.body.append(grey);
+      const colour = (element) => getComputedStyle(element).color;
+      const button = document.querySelector('#bar-items [data-command=redo]');
+      return [button.getAttribute('aria-disabled'), colour(button) === colour(grey)];
+    });
+    assert.deepEqual(colours, ['true', true]);
+    await page.keyboard.press('/');
+    assert.equal(await page.locator('dialog').evaluate((dialog) => getComputedStyle(dialog).borderTopStyle), 'solid');
+  }));
+
 test('at 200 % zoom nothing is cut off and everything can be reached', () =>
   onPage(kit, { alone: true, viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 }, async (page) => {
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
@@ -450,6 +466,7 @@ test('with text of twice the size and no zoom the page is laid out as at 200 %: 
     };
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
     assert.equal(await page.locator('.lead').evaluate((lead) => getComputedStyle(lead).fontSize), '34px');
+    for (const id of ['#choose', '#paper']) await within(id);
     await openPicture(page, tube.png, 'tube.png');
     for (const id of ['#bar-more', '#bar-help', '#bar-save', '#home']) await within(id);
     // A line along the middle is found where the hand drew it.

@@ -101,6 +101,19 @@ test('a phone: what is said lies on the panel and leaves its tabs free, with a b
     await toast.waitFor({ state: 'detached', timeout: 1000 });
   }));
 
+test('on a tablet what is said leaves the tools at the foot of the views free', () =>
+  onPage(kit, kTablet, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await done(page, 'check-print');
+    await page.locator('.toast').last().waitFor();
+    await framed(page);
+    const said = await page.locator('.toast').last().boundingBox();
+    const canvas = await page.locator('#canvas').boundingBox();
+    const tools = (await state(page)).controls.filter(({ words }) => ['Puff', 'Home view'].includes(words));
+    assert.ok(tools.length > 1);
+    for (const { words, at } of tools) assert.ok(said.y + said.height <= canvas.y + at[1], words);
+  }));
+
 test('what a toast says of a model goes when another one is opened', () =>
   onPage(kit, kPhone, async (page) => {
     await done(page, 'new-sketch');

@@ -166,6 +166,37 @@ test('on a phone Undo is whole in every language; words on other buttons give wa
     }
   }));
 
+test('from the right to the left the arrow of a line that leads to others points left, and so does its key', () =>
+  onPage(kit, { alone: true, locale: 'ar' }, async (page) => {
+    await spoken(page, 'ar');
+    await openWithPart(page, tube.png, tube.middle);
+    await page.locator('#bar-more').click();
+    const leading = page.locator('.menu [aria-haspopup=menu]').first();
+    const turned = await leading.locator('.leads-on').evaluate((arrow) => getComputedStyle(arrow).transform);
+    assert.match(turned, /^matrix\(-1, 0, 0, 1,/);
+    await leading.focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.locator('.menu [role=menuitemradio]').first().waitFor();
+  }));
+
+test('the names of the animals stay on their tiles in every language', () =>
+  onPage(kit, { ...kPhone, alone: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    for (const id of ['en', 'de', 'fr', 'es', 'ja', 'ar']) {
+      await speak(page, id);
+      await run(page, 'next-pupil');
+      await page.locator('.animal').first().waitFor();
+      const wide = await page
+        .locator('.animal')
+        .evaluateAll((tiles) =>
+          tiles.filter((tile) => tile.scrollWidth > tile.clientWidth).map((tile) => tile.innerText),
+        );
+      assert.deepEqual(wide, [], id);
+      await page.keyboard.press('Escape');
+      await page.locator('.animal').first().waitFor({ state: 'detached' });
+    }
+  }));
+
 test('a model that nobody has named is called so in the language of the page', () =>
   onPage(kit, { alone: true, locale: 'de' }, async (page) => {
     await spoken(page, 'de');

@@ -64,6 +64,14 @@ test('the search finds every command by its label, and runs what is chosen', () 
     assert.equal(await page.locator('dialog').count(), 0);
   }));
 
+test('on a phone on its side all three ways to begin are in sight', () =>
+  onPage(kit, { alone: true, viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }, async (page) => {
+    for (const id of ['#choose', '#camera', '#paper']) {
+      const { y, height } = await page.locator(id).boundingBox();
+      assert.ok(y >= 0 && y + height <= 390, id);
+    }
+  }));
+
 test('Home shows the start page and keeps the model; Help tells and begins', () =>
   onPage(kit, { alone: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);
@@ -104,6 +112,16 @@ test('Home shows the start page and keeps the model; Help tells and begins', () 
     assert.equal(await coach.isVisible(), false, 'silent while something is asked');
     await run(page, 'hollow-cancel');
     assert.equal(await coach.isVisible(), true);
+    await run(page, 'new-part');
+    await drawWithMouse(page, [
+      [width * 0.2, height * 0.1],
+      [width * 0.8, height * 0.1],
+    ]);
+    const offer = page.locator('.toast').filter({ has: page.getByRole('button', { name: 'Try again' }) });
+    await offer.waitFor();
+    assert.equal(await coach.isVisible(), false, 'and while a toast asks');
+    await offer.locator('.toast-close').click();
+    await coach.waitFor();
   }));
 
 test('a first visit has few tools, is led on after the first part, and what was chosen is remembered', () =>
