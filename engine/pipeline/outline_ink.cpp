@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/geometry/line_distance.h"
+#include "engine/geometry/polygon.h"
+#include "engine/geometry/polyline.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -51,6 +53,14 @@ void addStretches(const image::SketchStroke& stroke, const std::vector<Line>& ou
   finish();
 }
 
+/// Whether more than half of the points are within the outlines, by even-odd.
+bool runsWithin(std::span<const PicturePoint> line, const std::vector<Line>& outlines) {
+  const auto within = [&](PicturePoint p) {
+    return std::ranges::count_if(outlines, [&](const Line& o) { return geometry::holds(std::span(o), p); }) % 2 == 1;
+  };
+  return 2 * std::ranges::count_if(line, within) > std::ssize(line);
+}
+
 /// Upright, in picture pixels.
 struct Extent {
   PicturePoint least, most;
@@ -83,6 +93,22 @@ std::vector<ribs::IgnoreMark> outlineInk(const PartShape& shape, const document:
   for (const auto& stroke : entry.sketch) {
     const image::SketchStroke& ink = stroke;
     if (!ink.erase) addStretches(ink, outlines, beside, out);
+  }
+  return out;
+}
+
+std::vector<ribs::IgnoreMark> inkOfOthers(const document::Document& document, const Derived& derived, PictureId picture,
+                                          std::span<const PicturePoint> line) {
+  constexpr double kOff = 0.25;  // of the radius: how far a simpler line may lie off the ink
+  std::vector<ribs::IgnoreMark> out;
+  for (std::size_t i = 0; i < derived.parts.size(); ++i) {
+    const PartShape* shape = derived.parts[i].shape.get();
+    if (shape == nullptr || shape->outlineInk.empty() || document::pictureOf(*document.parts[i]) != picture) continue;
+    if (runsWithin(line, outlinesOf(*shape))) continue;
+    for (const ribs::IgnoreMark& ink : shape->outlineInk) {
+      if (out.size() == ribs::kMostIgnoreMarks) return out;
+      out.push_back({geometry::simplifiedLine(std::span(ink.stroke), kOff * ink.radius), ink.radius, false});
+    }
   }
   return out;
 }

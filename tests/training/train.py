@@ -87,7 +87,7 @@ def augment(x, t, rng):
     for axis in (2, 1):
         turned = chance(0.5)
         x = torch.where(each(turned), x.flip(axis), x)
-        t = torch.where(turned.view(n, 1, 1), t.flip(3 - axis), t)
+        t = torch.where(turned.view(n, 1, 1), t.flip(axis), t)
     light = torch.where(chance(0.3), -1.0, 1.0) * uniform(0.8, 1.2)
     angle = uniform(0, 2 * math.pi) * chance(0.7)
     chroma = uniform(0.3, 1.3)

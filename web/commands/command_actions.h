@@ -95,6 +95,7 @@ Result<geometry::Contours> outlinesFor(const CommandEnv& env, const document::Re
 /// How a new part comes to stand.
 struct Standing {
   std::vector<document::Action> actions;  ///< one step
+  PartId next;                            ///< the part
   std::optional<Lie> lie;                 ///< with what it was drawn over; none: nothing
 };
 /// `draw`, which makes one part of this recipe, and what lets it stand where it belongs: with the other parts of its

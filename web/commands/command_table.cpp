@@ -108,7 +108,7 @@ void colourChoices(Env env, JsonWriter& json) {
 constexpr std::array kTable = {
     Command{.id = "open-picture", .label = "Open picture", .icon = "image-plus", .shortcut = "Ctrl+O", .group = "file",
             .hint = "Choose a photo or a drawing", .menu = "Pictures", .run = rows::openPicture},
-    Command{.id = "draw", .label = "Line", .icon = "pencil", .shortcut = "1, D", .group = "tool",
+    Command{.id = "draw", .label = "Line", .icon = "spline", .shortcut = "1, D", .group = "tool",
             .hint = "Draw one line along the middle of the thing", .enabled = hasPicture, .toggled = drawing,
             .run = useDraw},
     Command{.id = "hand", .label = "Move picture", .icon = "hand", .shortcut = "2", .group = "tool",

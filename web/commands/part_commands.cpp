@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/document/params.h"
+#include "engine/pipeline/outline_ink.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/intents.h"
@@ -43,21 +44,36 @@ std::optional<sections::CapStyle> capOf(const Json& args, std::string_view key, 
   return sections::capFromKey(*name);
 }
 
-/// Ends of ribs that are guesses.
-std::size_t guessedEnds(const ribs::RibSet& set) {
-  std::size_t count = 0;
-  for (const ribs::Rib& rib : set.ribs) {
-    for (const ribs::RibState state : {rib.leftState, rib.rightState}) count += state == ribs::RibState::Guessed;
+/// Ends of ribs of the newest part, and how many of them are guesses.
+struct Ends {
+  std::size_t all = 0, guessed = 0;
+  double share() const { return all > 0 ? static_cast<double>(guessed) / static_cast<double>(all) : 0; }
+  /// So many that the line may have missed the thing.
+  bool areMany() const { return share() >= 0.25; }
+};
+/// A line where the paper is blank means a part of the usual width: that is no guess.
+Ends endsOfNewest(Env env) {
+  const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
+  Ends out;
+  if (!newest.shape) return out;
+  for (const ribs::Rib& rib : newest.shape->generated.ribs) {
+    for (const ribs::RibState state : {rib.leftState, rib.rightState}) {
+      ++out.all;
+      out.guessed += state == ribs::RibState::Guessed;
+    }
   }
-  return count;
+  const document::Document& document = env.studio.document();
+  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*document.parts.back()));
+  if (out.guessed == out.all && entry != nullptr && entry->isSketch()) out.guessed = 0;
+  return out;
 }
 
 }  // namespace
 
 Standing standingActions(Env env, document::Action draw, const document::Recipe& recipe, bool lie) {
   constexpr double kHidden = 0.5;  // of a part: it would not be seen where it was drawn
-  Standing out{{std::move(draw)}, {}};
   const document::Document& document = env.studio.document();
+  Standing out{{std::move(draw)}, PartId{document.lastPartId + 1}, {}};
   const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(recipe));
   if (document.parts.empty() || entry == nullptr) return out;
   pipeline::PartShape shape;
@@ -76,8 +92,7 @@ Standing standingActions(Env env, document::Action draw, const document::Recipe&
     }
   }
   if (placement.isRest()) return out;
-  const PartId next{document.lastPartId + 1};
-  out.actions.push_back(document::PlaceParts{{{next, placement, {}}}});
+  out.actions.push_back(document::PlaceParts{{{out.next, placement, {}}}});
   return out;
 }
 
@@ -87,8 +102,8 @@ void takeMade(Env env, const Standing& standing) {
   env.ui.alsoSelected.clear();
   env.ui.redraw = {};
   env.ui.framePending = true;
-  const pipeline::DerivedPart& derived = env.studio.derived().parts.back();
-  const std::size_t guesses = derived.shape ? guessedEnds(derived.shape->generated) : 0;
+  const Ends ends = endsOfNewest(env);
+  const std::size_t guesses = ends.areMany() ? 0 : ends.guessed;  // of many an offer says more
   const std::string_view sentence = guesses == 0   ? "{name} is made."
                                     : guesses == 1 ? "{name} is made. One end is a guess."
                                                    : "{name} is made. {n} ends are guesses.";
@@ -189,23 +204,14 @@ constexpr std::string_view kCutSentence =
 constexpr std::string_view kNothingFound =
     "Nothing was found beside your line, so its width is a guess. Draw through a thing, or pull the ends of the ribs.";
 
-/// Share of the rib ends of the newest part that are guesses although its picture has been looked at.
-double guessedShare(Env env) {
-  const pipeline::DerivedPart& newest = env.studio.derived().parts.back();
-  if (!newest.shape || newest.shape->generated.ribs.empty()) return 0;
-  const auto guessed = static_cast<double>(guessedEnds(newest.shape->generated));
-  return guessed / (2 * static_cast<double>(newest.shape->generated.ribs.size()));
-}
-
 /// A line that found little beside it may have missed the thing.
 void tellGuesses(Env env) {
-  constexpr double kMany = 0.25;
-  const double share = guessedShare(env);
-  if (share < kMany) return;
+  const Ends ends = endsOfNewest(env);
+  if (!ends.areMany()) return;
   const std::string_view some = words::tr(
       "{n} % of the ends are guesses: the dotted ones. Draw again along the middle of the thing, or pull them.",
-      {{"n", std::lround(100 * share)}});
-  sendOffer(env.host, {share >= 1 ? kNothingFound : some, "Try again", "redraw", {}});
+      {{"n", std::lround(100 * ends.share())}});
+  sendOffer(env.host, {ends.share() >= 1 ? kNothingFound : some, "Try again", "redraw", {}});
 }
 
 /// A line round a thing is no line through it: a puff can be made of it.
@@ -240,7 +246,9 @@ Outcome drawSpine(Env env, const DrawSpineIntent& intent) {
   recipe.stroke = draw.stroke;
   recipe.loft.sections.front().shape = draw.section;
   recipe.pose.depth = draw.depth;
-  const Standing standing = standingActions(env, std::move(draw), recipe, intent.lie);
+  recipe.ignored = pipeline::inkOfOthers(env.studio.document(), env.studio.derived(), recipe.picture, recipe.stroke);
+  Standing standing = standingActions(env, std::move(draw), recipe, intent.lie);
+  if (!recipe.ignored.empty()) standing.actions.push_back(document::IgnoreForPart{standing.next, recipe.ignored});
   const Status status = env.studio.act(standing.actions);
   if (!status) return refusedLine(env, intent, status.failure());
   takeMade(env, standing);

@@ -68,7 +68,8 @@ Outcome usePlace(Env env, const Json&) {
   if (!hasSelection(env) && !documentOf(env).parts.empty()) {
     env.ui.selection = documentOf(env).parts.back()->id;
   }
-  sendStatus(env.host, "Drag a part, its arrows or its rings. Arrow keys move it by a millimetre.");
+  sendStatus(env.host, env.ui.touch ? "Drag a part, its arrows or its rings."
+                                    : "Drag a part, its arrows or its rings. Arrow keys move it by a millimetre.");
   return {};
 }
 

@@ -206,7 +206,7 @@ std::optional<Gizmo> gizmoAt(const UiState& ui, WorldPoint pivot, double reach) 
 
 std::optional<Gizmo> shownGizmo(const document::Document& document, const pipeline::Derived& derived,
                                 const UiState& ui) {
-  if (ui.tool != ToolKind::Place) return std::nullopt;
+  if (ui.tool != ToolKind::Place || ui.solids.hollow) return std::nullopt;  // a tap says where it is to open
   const std::vector<PartId> parts = selectedParts(document, ui);
   const std::optional<WorldPoint> pivot = centreOf(document, derived, ui, parts);
   const auto middle = pivot ? pointOnCanvas(ui.camera, ui.layout.solid, *pivot) : std::nullopt;

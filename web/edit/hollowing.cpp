@@ -158,19 +158,26 @@ std::optional<Mouth> mouthOf(const document::Document& document, const pipeline:
   });
   if (!(low < high)) return std::nullopt;
   const double level = high - std::max(draft.opening.depth * (high - low), std::min(draft.wall, (high - low) / 4));
-  WorldPoint sum;
-  eachTriangle(then->plan, leaves, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
-    std::array<WorldPoint, 2> ends;
-    int count = 0;
-    for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
-      const double up = dot(p, mouth.out) - level, uq = dot(q, mouth.out) - level;
-      if ((up > 0) != (uq > 0) && count < 2) ends[static_cast<std::size_t>(count++)] = p + (q - p) * (up / (up - uq));
-    }
-    if (count < 2) return;
-    mouth.rim.push_back(ends);
-    sum = sum + ends[0] + ends[1];
-  });
-  if (!mouth.rim.empty()) mouth.at = sum * (1. / (2. * static_cast<double>(mouth.rim.size())));
+  std::size_t longest = 0;
+  for (const SolidPlan::Operand& leaf : leaves) {
+    const std::size_t before = mouth.rim.size();
+    WorldPoint sum;
+    eachTriangle(then->plan, {leaf}, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
+      std::array<WorldPoint, 2> ends;
+      int count = 0;
+      for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
+        const double up = dot(p, mouth.out) - level, uq = dot(q, mouth.out) - level;
+        if ((up > 0) != (uq > 0) && count < 2) ends[static_cast<std::size_t>(count++)] = p + (q - p) * (up / (up - uq));
+      }
+      if (count < 2) return;
+      mouth.rim.push_back(ends);
+      sum = sum + ends[0] + ends[1];
+    });
+    const std::size_t own = mouth.rim.size() - before;
+    if (own <= longest) continue;
+    longest = own;
+    mouth.at = sum * (1. / (2. * static_cast<double>(own)));
+  }
   return mouth;
 }
 

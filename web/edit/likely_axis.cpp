@@ -8,7 +8,7 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kAlike = 0.7;   // of the outline of a thing that is alike left and right lies on its other side
+constexpr double kAlike = 0.82;  // of the outline of a thing that is alike left and right lies on its other side
 constexpr double kApart = 0.5;   // of a part may lie on its own twin
 constexpr double kBefore = 0.2;  // of its depth that a part stands before the middle of the rest
 

@@ -28,54 +28,42 @@ constexpr double kBelow = 6;        // between two cards
 constexpr double kLowSolid = 380;   // in which two rows of buttons leave no room for a solid
 constexpr float kMostTurns = 8;
 
-struct Item {
-  app::CommandId id;
-  bool words = false;  ///< says what it does where there is room
-};
+using Ids = std::span<const app::CommandId>;
 
-std::span<const Item> itemsOf(const PanelEnv& env) {
+Ids itemsOf(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   // The most used first: the last ones wait in a menu where there is no room.
-  static constexpr Item kRibs[] = {{"add-rib", true}, {"delete-rib", true}, {"lock-rib", true}, {"reset-rib"},
-                                   {"reach-less"},    {"reach-more"},       {"fewer-ribs"},     {"more-ribs"}};
-  static constexpr Item kShape[] = {{"both-sides", true}, {"reset-ribs", true}};
-  static constexpr Item kSpineLine[] = {{"find-edges", true}, {"keep-ribs", true},  {"side-view", true}, {"coil", true},
-                                        {"join-ends", true},  {"reset-pose", true}, {"make-round", true}};
-  static constexpr Item kBones[] = {{"slice-here", true}, {"toggle-bone", true}, {"reset-bones", true}};
-  static constexpr Item kIgnore[] = {{"brush-smaller"},
-                                     {"brush-larger"},
-                                     {"paint-over", true},
-                                     {"ignore-whole-picture", true},
-                                     {"clear-ignored", true}};
-  static constexpr Item kDraw[] = {{"depth-by-pressure", true}};
-  static constexpr Item kPlace[] = {{"drop-on-floor", true}, {"duplicate", true}, {"snap-to-surface", true},
-                                    {"face-front", true},    {"mirror-copy"},     {"symmetry", true},
-                                    {"group", true},         {"ungroup"}};
-  static constexpr Item kCut[] = {{"cut-use", true}, {"cut-add", true}, {"cut-remove", true}, {"cut-cancel", true},
-                                  {"undo"},          {"brush-smaller"}, {"brush-larger"}};
-  static constexpr Item kPuff[] = {
-      {"cut-by-box", true}, {"cut-by-scribble", true}, {"puff-both", true}, {"puff-front", true}, {"puff-back", true}};
-  static constexpr Item kSheet[] = {{"cut-by-box", true},
-                                    {"cut-by-scribble", true},
-                                    {"edge-sharp", true},
-                                    {"edge-bevel", true},
-                                    {"edge-round", true}};
-  static constexpr Item kLayers[] = {{"layer-up", true},     {"layer-down", true}, {"layer-circle", true},
-                                     {"layer-square", true}, {"layer-copy", true}, {"layer-face"},
-                                     {"layer-remove"}};
-  static constexpr Item kLines[] = {{"seen-pen", true}, {"hidden-pen", true}};
-  static constexpr Item kHollow[] = {{"hollow-use", true}, {"hollow-cancel", true}, {"hollow-next", true}};
-  static constexpr Item kNew[] = {{"in-front", true}, {"inside", true}, {"behind", true}};
-  static constexpr Item kWays[] = {{"draw", true}, {"puff", true}, {"sheet", true}};
+  static constexpr app::CommandId kRibs[] = {"add-rib",    "delete-rib", "lock-rib",   "reset-rib",
+                                             "reach-less", "reach-more", "fewer-ribs", "more-ribs"};
+  static constexpr app::CommandId kShape[] = {"both-sides", "reset-ribs"};
+  static constexpr app::CommandId kSpineLine[] = {"find-edges", "keep-ribs",  "side-view", "coil",
+                                                  "join-ends",  "reset-pose", "make-round"};
+  static constexpr app::CommandId kBones[] = {"slice-here", "toggle-bone", "reset-bones"};
+  static constexpr app::CommandId kIgnore[] = {"brush-smaller", "brush-larger", "paint-over", "ignore-whole-picture",
+                                               "clear-ignored"};
+  static constexpr app::CommandId kDraw[] = {"depth-by-pressure"};
+  static constexpr app::CommandId kPlace[] = {"drop-on-floor", "duplicate", "snap-to-surface", "face-front",
+                                              "mirror-copy",   "symmetry",  "group",           "ungroup"};
+  static constexpr app::CommandId kCut[] = {"cut-use", "cut-add",       "cut-remove",  "cut-cancel",
+                                            "undo",    "brush-smaller", "brush-larger"};
+  static constexpr app::CommandId kPuff[] = {"cut-by-box", "cut-by-scribble", "puff-both", "puff-front", "puff-back"};
+  static constexpr app::CommandId kSheet[] = {"cut-by-box", "cut-by-scribble", "edge-sharp", "edge-bevel",
+                                              "edge-round"};
+  static constexpr app::CommandId kLayers[] = {"layer-up",   "layer-down", "layer-circle", "layer-square",
+                                               "layer-copy", "layer-face", "layer-remove"};
+  static constexpr app::CommandId kLines[] = {"seen-pen", "hidden-pen"};
+  static constexpr app::CommandId kHollow[] = {"hollow-use", "hollow-cancel", "hollow-next"};
+  static constexpr app::CommandId kNew[] = {"in-front", "inside", "behind"};
+  static constexpr app::CommandId kWays[] = {"draw", "puff", "sheet"};
   if (ui.solids.hollow) return kHollow;
   const bool draws =
       ui.tool == app::ToolKind::Draw || app::drawsRegions(ui.tool) || ui.tool == app::ToolKind::Primitive;
   if (draws && !ui.cut && !ui.preview && app::partIsNew(env.env)) return kNew;
   switch (ui.tool) {
     case app::ToolKind::Inflate:
-      return ui.cut ? std::span<const Item>(kCut) : kPuff;
+      return ui.cut ? Ids(kCut) : kPuff;
     case app::ToolKind::Extrude:
-      return ui.cut ? std::span<const Item>(kCut) : kSheet;
+      return ui.cut ? Ids(kCut) : kSheet;
     case app::ToolKind::Place:
       return kPlace;
     case app::ToolKind::Layers:
@@ -87,7 +75,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
     case app::ToolKind::Shape:
       return kShape;
     case app::ToolKind::Spine:
-      return app::bonesInHand(env.document(), env.derived, ui) ? std::span<const Item>(kBones) : kSpineLine;
+      return app::bonesInHand(env.document(), env.derived, ui) ? Ids(kBones) : kSpineLine;
     case app::ToolKind::Ignore:
       return kIgnore;
     case app::ToolKind::Draw:
@@ -103,7 +91,7 @@ std::span<const Item> itemsOf(const PanelEnv& env) {
 }
 
 struct Cell {
-  Item item;
+  app::CommandId id;
   double width = 0;
   int row = 0;
 };
@@ -124,21 +112,13 @@ int breakRows(Cells& cells, double room) {
   return row + 1;
 }
 
-/// Cells in rows of about the same width, none wider than `room`; the first ones get their words as far as one row
-/// allows.
-Cells arrange(const PanelEnv& env, std::span<const Item> items, double room, float side) {
+/// Cells in rows of about the same width, none wider than `room`; with words, as wide as those need.
+Cells arrange(const PanelEnv& env, Ids ids, bool words, double room, double side) {
   Cells cells;
   double width = 0;
-  for (const Item& item : items) {
-    cells.push_back({item, side, 0});
-    width += side + kGap;
-  }
-  for (Cell& cell : cells) {
-    if (!cell.item.words) continue;
-    const double own = wordButtonWidth(env, app::commandOf(cell.item.id).label, side);
-    if (width + own - side > room) continue;
-    cell.width = own;
-    width += own - side;
+  for (const app::CommandId id : ids) {
+    cells.push_back({id, words ? static_cast<double>(commandButtonWidth(env, id)) : side, 0});
+    width += cells.back().width + kGap;
   }
   const int rows = breakRows(cells, room);
   if (rows == 1) return cells;
@@ -223,35 +203,36 @@ void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
 
 /// What stands in the bar, and what in its menu.
 struct Split {
-  ShortList<Item> shown;
   BarSplit bar;
-  double more(float side) const { return bar.rest.empty() ? 0 : side + kGap; }
+  bool words = true;  ///< below the icons
+  float side = 0;     ///< height of a button
+  double more() const { return bar.rest.empty() ? 0 : static_cast<double>(side) + kGap; }
 };
 
-/// One row where the view is small, else as many as are needed.
-Split fold(const PanelEnv& env, std::span<const Item> items, bool small, double room, float side) {
-  ShortList<app::CommandId> ids;
-  for (const Item& item : items) ids.push_back(item.id);
-  const double cells = small ? (room + kGap) / (side + kGap) : static_cast<double>(ids.size());
+/// One row where the view is small, of icons alone where words have no room; else as many as are needed. `height`: of
+/// the view.
+Split fold(const PanelEnv& env, Ids ids, bool small, double room, double height) {
   Split out;
+  out.words = height >= kWordsFrom && (!small || wordedWidth(env, ids, kGap) <= room);
+  out.side = out.words ? wordedHeight(env) : buttonSide(env);
+  const double cells =
+      out.words ? static_cast<double>(ids.size()) : (room + kGap) / (static_cast<double>(out.side) + kGap);
   out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](app::CommandId id) { return isToolInUse(env, id); });
-  for (const app::CommandId id : out.bar.shown) out.shown.push_back(*std::ranges::find(items, id, &Item::id));
   return out;
 }
 
 void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, const Split& split, ImU32 colour) {
-  const float side = buttonSide(env);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
   beginFixed("edit bar", card);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0 && cells[i].row == cells[i - 1].row) ImGui::SameLine();
-    wordButton(env, {cells[i].item.id, static_cast<float>(cells[i].width), side, colour});
+    commandButton(env, cells[i].id, split.side, split.words ? static_cast<float>(cells[i].width) : 0, colour);
   }
   if (!split.bar.rest.empty()) {
     if (!cells.empty()) ImGui::SameLine();
-    barMenuButton(env, app::BarMenu::Edit, side);
+    barMenuButton(env, app::BarMenu::Edit, split.side);
   }
   ImGui::End();
   ImGui::PopStyleVar(3);
@@ -271,7 +252,7 @@ double shapesAtHead(const PanelEnv& env) {
 }  // namespace
 
 void drawEditBar(const PanelEnv& env) {
-  const std::span<const Item> items = itemsOf(env);
+  const Ids items = itemsOf(env);
   // What works in the solid view.
   const bool places = app::worksInSolid(env.ui().tool) || env.ui().solids.hollow;
   const app::Layout& layout = env.ui().layout;
@@ -282,7 +263,6 @@ void drawEditBar(const PanelEnv& env) {
   if (covered || env.document().pictures.empty()) return;
   const double shapes = shapesAtHead(env);
   if (items.empty()) return;
-  const float side = buttonSide(env);
   // What is scooped out mostly opens at the head, where its arrow is: its bar is at the foot. On a phone, upright or on
   // its side, all that works in the solid view is there, beside the view's buttons: one row lies over the solid.
   const bool small = places && (layout.stacked || view.height < kLowSolid);
@@ -293,9 +273,9 @@ void drawEditBar(const PanelEnv& env) {
   const bool sharesFoot = small && beside.width > 0;
   const double column = app::buttonsAtSide(view) ? kColumnRoom : sharesFoot ? view.right() - beside.x : 0;
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
-  if (room < side) return;
-  const Split split = fold(env, items, layout.stacked || small || column > 0, room, side);
-  const Cells cells = arrange(env, split.shown, room - split.more(side), side);
+  if (room < static_cast<double>(buttonSide(env))) return;
+  const Split split = fold(env, items, layout.stacked || small || column > 0, room, view.height);
+  const Cells cells = arrange(env, split.bar.shown, split.words, room - split.more(), split.side);
   const int rows = cells.empty() ? 1 : cells.back().row + 1;
   double widest = 0;
   for (int row = 0; row < rows; ++row) {
@@ -303,8 +283,8 @@ void drawEditBar(const PanelEnv& env) {
     for (const Cell& cell : cells) width += cell.row == row ? cell.width + kGap : 0;
     widest = std::max(widest, width);
   }
-  const double width = widest + split.more(side) + 2 * kPadding;
-  const double height = rows * (side + kGap) - kGap + 2 * kPadding;
+  const double width = widest + split.more() + 2 * kPadding;
+  const double height = rows * (static_cast<double>(split.side) + kGap) - kGap + 2 * kPadding;
   const double head = view.y + kMargin + (shapes > 0 ? shapes + kBelow : 0);
   const double y = atFoot ? view.bottom() - kMargin - height : head;
   const app::Rect card{view.right() - column - kMargin - width, y, width, height};

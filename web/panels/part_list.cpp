@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kIndent = 14;   // of the parts of a group, CSS pixels
 constexpr float kDragSlop = 6;  // CSS pixels
+constexpr float kNameGap = 4;   // behind a name, CSS pixels
 
 /// Where a row of the list is, and what stands in it.
 struct Place {
@@ -59,9 +60,13 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   const bool elsewhere = document::pictureOf(part) != env.ui().picture;
   const float height = buttonSide(env);
   const bool free = indent <= 0, ticks = free && canTick(env, {part.id, {}});
-  const bool bins = selected && !holdsWhole(env);
-  const float buttons = height * (static_cast<float>(free) + static_cast<float>(ticks) + static_cast<float>(bins));
   const float grips = height;  // with the picture in it
+  const std::string_view called = words::nameOf(part.name);
+  const float others = height * (static_cast<float>(free) + static_cast<float>(ticks));
+  // The bar deletes a part as well: the bin is where the name has room beside it.
+  const float besideBin = width - indent - others - height - grips - kNameGap;
+  const bool bins = selected && !holdsWhole(env) && extentOf(ImGui::GetFont(), words::drawn(called)).x <= besideBin;
+  const float buttons = others + (bins ? height : 0);
   ImGui::PushID(static_cast<int>(part.id.value));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
   width -= indent;
@@ -78,8 +83,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   showRow(env, {part.id, {}}, at.x + grips);
   picture(env, part, {at.x + 5, at.y + 3}, height - 6);
   const float textHeight = ImGui::GetTextLineHeight();
-  const std::string_view name =
-      shortened(ImGui::GetFont(), asIs(words::nameOf(part.name)), width - buttons - grips - 4);
+  const std::string_view name = shortened(ImGui::GetFont(), asIs(called), width - buttons - grips - kNameGap);
   const ImU32 ink = !part.visible ? faded(kMuted, 150) : elsewhere ? kMuted : inHand ? kAccent : kInk;
   drawLine(list, {ImGui::GetFont(), {at.x + grips + 3, at.y + (height - textHeight) / 2}, ink}, name);
   if (elsewhere) {
@@ -182,8 +186,12 @@ void partList(const PanelEnv& env, bool tiles) {
   const auto& parts = env.document().parts;
   const float width = ImGui::GetContentRegionAvail().x;
   if (parts.empty()) {
+    const document::PictureEntry* picture = findPicture(env.document(), env.ui().picture);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    label(env.fonts.small, kMuted, "No part yet. Draw one line along the middle of the thing in the picture.");
+    label(env.fonts.small, kMuted,
+          picture != nullptr && picture->isSketch()
+              ? "No part yet. Draw the outline of a thing, then a line along its middle."
+              : "No part yet. Draw one line along the middle of the thing in the picture.");
     ImGui::PopTextWrapPos();
     return;
   }

@@ -74,9 +74,13 @@ void likeThings(const PanelEnv& env, float width) {
 
 /// A sentence over as many lines as it needs, behind a green tick, or as a warning: by mark and by colour.
 void reportLine(const PanelEnv& env, const app::PrintLine& line, float width) {
+  constexpr float kMark = 26;  // with the gap beside it
+  const float left = ImGui::GetCursorPosX();
   label(env.fonts.icons, line.good ? kGood : kWarning, asIs(iconText(line.good ? "circle-check" : "triangle-alert")));
-  ImGui::SameLine(0, 6);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 30);
+  ImGui::SameLine(0, 0);
+  // Written from the right, the mark stands at the right.
+  ImGui::SetCursorPosX(words::language().rightToLeft ? left : left + kMark);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - kMark);
   label(env.fonts.small, line.good ? kInk : kWarning, asIs(line.text));
   ImGui::PopTextWrapPos();
   const app::Command* fix = line.fix.empty() ? nullptr : app::findCommand(line.fix);

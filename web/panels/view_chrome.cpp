@@ -39,28 +39,20 @@ struct Bar {
   double taken = 0;  ///< of the view's width, from the left
 };
 
-/// How wide the buttons are that say their words below the icons, as a finger that asks no tooltip needs them; 0: a
-/// mouse is used, or there is no room for all of them.
-float wordWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double room) {
-  if (!env.ui().touch) return 0;
-  float width = 0;
-  for (const app::CommandId id : ids) width = std::max(width, commandButtonWidth(env, id));
-  return static_cast<double>(ids.size()) * (static_cast<double>(width) + 2) <= room ? width : 0;
-}
-
-/// One row in the lower right corner, or a column where the view is low. Where it is; nowhere when there
-/// is no room at all.
+/// One row in the lower right corner, with words below the icons where all have room for them, or a column where the
+/// view is low. Where it is; nowhere when there is no room at all.
 app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const app::Rect& view = bar.view;
   const bool column = app::buttonsAtSide(view);
   const double edge = 6, room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
-  const float word = column ? 0 : wordWidth(env, bar.ids, room);
-  const float side = word > 0 ? 50.f : env.ui().touch ? 44.f : 34.f;
-  const double cell = (word > 0 ? word : side) + 2.;
+  const double worded = wordedWidth(env, bar.ids, 2) + 2;
+  const bool words = !column && worded <= room && view.height >= kWordsFrom;
+  const float side = words ? wordedHeight(env) : env.ui().touch ? 44.f : 34.f;
+  const double cell = side + 2.;
   if (room < cell || bar.ids.empty()) return {};
-  const BarSplit split =
-      splitBar(bar.ids, static_cast<std::size_t>(room / cell), [&](app::CommandId id) { return isToolInUse(env, id); });
-  const double length = static_cast<double>(split.cells()) * cell + edge, breadth = side + 2. + edge;
+  const std::size_t cells = words ? bar.ids.size() : static_cast<std::size_t>(room / cell);
+  const BarSplit split = splitBar(bar.ids, cells, [&](app::CommandId id) { return isToolInUse(env, id); });
+  const double length = (words ? worded : static_cast<double>(split.cells()) * cell) + edge, breadth = cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
   const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width, height};
@@ -68,7 +60,7 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   beginCard(env, bar.name, card);
   for (std::size_t i = 0; i < split.shown.size(); ++i) {
     if (i > 0 && !column) ImGui::SameLine();
-    commandButton(env, split.shown[i], side, word);
+    commandButton(env, split.shown[i], side, words ? commandButtonWidth(env, split.shown[i]) : 0);
   }
   if (!split.rest.empty()) {
     if (!split.shown.empty() && !column) ImGui::SameLine();

@@ -291,16 +291,24 @@ float commandButtonWidth(const PanelEnv& env, app::CommandId id) {
   return std::clamp(extentOf(env.fonts.small, shown(app::commandOf(id).label), kTileWords).x + 8, kLeast, kMost);
 }
 
-void commandButton(const PanelEnv& env, app::CommandId id, float size, float width) {
+float wordedHeight(const PanelEnv& env) { return env.ui().touch ? 50.f : 44.f; }
+
+double wordedWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double gap) {
+  double width = -gap;
+  for (const app::CommandId id : ids) width += static_cast<double>(commandButtonWidth(env, id)) + gap;
+  return width;
+}
+
+void commandButton(const PanelEnv& env, app::CommandId id, float size, float width, ImU32 colour) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)};
   const bool active = command.toggled != nullptr && command.toggled(env.env);
   const bool can = app::enabled(command, env.env);
-  const ImU32 colour = command.group == "tool" ? toolColour(env.ui().tool) : 0;
+  const ImU32 own = command.group == "tool" ? toolColour(env.ui().tool) : colour;
   const std::string tip = tipOf(command);
   const Text below = width > 0 ? Text(command.label) : Text("");
   const bool pressed =
-      iconButton(env, {name.c_str(), command.icon, asIs(tip), active, can, size, colour, command.label, below, width});
+      iconButton(env, {name.c_str(), command.icon, asIs(tip), active, can, size, own, command.label, below, width});
   namesCommand(env, id);
   if (pressed) env.sink.run(command);
 }

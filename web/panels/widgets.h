@@ -111,11 +111,16 @@ struct IconButton {
   float width = 0;              ///< 0: as wide as high
 };
 bool iconButton(const PanelEnv& env, const IconButton& button);
-/// The button of a command; runs it when pressed. Tools have their own colours. With a width it says its word below
-/// the icon.
-void commandButton(const PanelEnv& env, app::CommandId id, float size, float width = 0);
-/// How wide it has to be for its word.
+/// The button of a command; runs it when pressed. Tools have their own colours; what else is on has `colour`, or the
+/// accent of the page. With a width it says its word below the icon.
+void commandButton(const PanelEnv& env, app::CommandId id, float size, float width = 0, ImU32 colour = 0);
+/// How wide and how high it has to be for its word.
 float commandButtonWidth(const PanelEnv& env, app::CommandId id);
+float wordedHeight(const PanelEnv& env);
+/// Of such buttons in a row, with `gap` between them.
+double wordedWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double gap);
+/// Below this height of a view they would take too much of it.
+inline constexpr double kWordsFrom = 220;
 
 /// The button of a command about what the caller names; true: it was pressed, and the caller runs it.
 bool namedButton(const PanelEnv& env, app::CommandId id, float size);

@@ -1,5 +1,6 @@
 #include "web/tools/draw_spine.h"
 
+#include "engine/pipeline/outline_ink.h"
 #include "web/commands/intents.h"
 #include "web/edit/outline.h"
 #include "web/edit/preview.h"
@@ -22,6 +23,8 @@ void DrawSpine::move(const ToolEnv& env, const ToolEvent& event) {
   if (!env.ui.preview) start(env, event);
   document::LoftRecipe& recipe = env.ui.preview->asLoft();
   if (!extend(env, recipe.stroke, event.at)) return;
+  if (!env.ui.preview->part)
+    recipe.ignored = pipeline::inkOfOthers(env.document, env.derived, recipe.picture, recipe.stroke);
   // A pen that leaves the glass weighs nothing: that is not how the line was meant to end.
   std::vector<double>& pressure = env.ui.preview->pressure;
   pressure.push_back(event.pressure > 0 ? event.pressure : pressure.back());

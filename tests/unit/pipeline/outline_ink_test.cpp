@@ -142,3 +142,35 @@ TEST_CASE("a photo has no ink") {
   photo.size = {400, 400};
   CHECK(pipeline::outlineInk(*shapeOf(drawn({ring(kRadius)}, kRadius)), photo).empty());
 }
+
+TEST_CASE("the ink of a part's outline is no edge of a part beside it, and may be one of a part within") {
+  const Document document = drawn({ring(kRadius)}, kRadius);
+  pipeline::Cache cache;
+  const pipeline::Derived derived = pipeline::deriveWithEdges(document, cache, {}).value();
+  const auto inkFor = [&](const std::vector<PicturePoint>& line) {
+    return pipeline::inkOfOthers(document, derived, PictureId{1}, line);
+  };
+  CHECK(inkFor({{200, 150}, {200, 200}, {200, 250}}).empty());
+  CHECK(pipeline::inkOfOthers(document, derived, PictureId{2}, ring(kRadius + 40)).empty());
+  // A handle, from the part and back to it.
+  std::vector<PicturePoint> handle;
+  for (int i = 0; i <= 40; ++i) {
+    const double angle = std::numbers::pi * (i / 40.0 - 0.5);
+    handle.push_back(kMiddle + PicturePoint{kRadius + 50 * std::cos(angle), 50 * std::sin(angle)});
+  }
+  const auto marks = inkFor(handle);
+  REQUIRE(marks.size() == 1);
+  CHECK_FALSE(marks[0].covers);
+  CHECK(marks[0].stroke.size() < 60);
+  for (const PicturePoint p : marks[0].stroke) CHECK(distance(p, kMiddle) == doctest::Approx(kRadius).epsilon(0.01));
+  const auto widest = [&](const std::vector<ribs::IgnoreMark>& ignored) {
+    Document with = update(document, DrawSpine{PictureId{1}, handle}).value();
+    with = update(with, IgnoreForPart{PartId{2}, ignored}).value();
+    const pipeline::Derived made = pipeline::deriveWithEdges(with, cache, {}).value();
+    double out = 0;
+    for (const ribs::Rib& rib : made.parts[1].shape->ribs.ribs) out = std::max(out, distance(rib.left, rib.right));
+    return out;
+  };
+  CHECK(widest({}) > 60);
+  CHECK(widest(marks) < 45);
+}

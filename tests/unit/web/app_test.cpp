@@ -192,6 +192,19 @@ TEST_CASE(
   CHECK(rig.host.said(R"("level":"hint","text":"Nothing was found beside your line)"));
 }
 
+TEST_CASE("a line on blank paper, also beside a part, makes a part of the usual width: nothing is a guess") {
+  Rig rig;
+  rig.run("new-sketch");
+  rig.settle();
+  for (const char* stroke : {R"({"stroke":[[300,200],[300,500]]})", R"({"stroke":[[310,250],[450,300],[310,400]]})"}) {
+    REQUIRE(rig.run("draw-spine", stroke).flag("ok") == true);
+    rig.settle();
+  }
+  CHECK(rig.parts() == 2);
+  CHECK_FALSE(rig.host.said("ends are guesses"));
+  CHECK_FALSE(rig.host.said("Nothing was found"));
+}
+
 TEST_CASE("a tap where there is nothing to take is no mistake: nothing is said") {
   Rig rig;
   rig.openBar();

@@ -2,8 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
+#include <tuple>
 
 #include "engine/document/update.h"
 #include "tests/support/random_documents.h"
@@ -373,6 +377,33 @@ TEST_CASE("a part that settles touches the surface under the pointer, and nothin
     CHECK(within);
   }
   CHECK(settled > 10);
+}
+
+TEST_CASE("an ear of a head drawn by hand has its twin left or right, a wing of a bird seen from the side behind it") {
+  // What the thing is like, a part of it as drawn, and where the twin is to be.
+  using Line = std::vector<PicturePoint>;
+  Line head, ear;
+  for (int i = 0; i < 80; ++i) {
+    const double t = 2 * std::numbers::pi * i / 80;
+    head.push_back({512 + 250 * std::cos(t) + 12 * std::sin(5 * t), 384 + 230 * std::sin(t) + 11 * std::cos(3 * t)});
+    ear.push_back({330 + 60 * std::cos(t), 260 + 60 * std::sin(t)});
+  }
+  const Line bird{{205, 346}, {358, 230}, {614, 269}, {870, 230}, {768, 422}, {461, 499}};
+  const Line wing{{461, 323}, {696, 338}, {614, 430}, {471, 399}};
+  for (const auto& [thing, part, key] : {std::tuple{head, ear, "x"}, std::tuple{bird, wing, "z"}}) {
+    CAPTURE(key);
+    document::Document document = document::update({}, document::AddSketch{"", {1024, 768}}).value();
+    for (const Line& outline : {thing, part}) {
+      const document::Region region{PictureId{1}, {outline}, 0};
+      document = document::update(document, document::DrawRegion{region, inflate::InflateParams{}, {}}).value();
+    }
+    document::Placement before;
+    before.move.z = 0.2;
+    document = document::update(document, document::PlaceParts{{{PartId{2}, before, {}}}}).value();
+    pipeline::Cache cache;
+    const pipeline::Derived derived = pipeline::deriveWithEdges(document, cache, {}).value();
+    CHECK(likelyAxis(document, derived, std::array{PartId{2}}).key == std::string(key));
+  }
 }
 
 TEST_CASE("what is moved together stays together, twins of live symmetry too; an ear alone moves against its twin") {

@@ -26,6 +26,13 @@ function visual(text: string): string {
   return bidi.getReorderedString(shaped, bidi.getEmbeddingLevels(shaped, 'rtl'));
 }
 
+/** The message with its plain numbers in the way of the language: "8,6" in German. */
+function withNumbers(message: string, args: Args): string {
+  return message.replace(/\{(\w+)\}/g, (all, name: string) =>
+    typeof args[name] === 'number' ? `{${name}, number, ::group-off .###}` : all,
+  );
+}
+
 export function speakerOf(id: string, catalogue: Catalogue): Speaker {
   const messages = new Map<string, IntlMessageFormat>();
   // Digits as on the keyboard that they are typed with.
@@ -36,7 +43,10 @@ export function speakerOf(id: string, catalogue: Catalogue): Speaker {
       if (message === undefined) return null;
       if (!message.includes('{')) return message;
       let format = messages.get(english);
-      if (!format) messages.set(english, (format = new IntlMessageFormat(message, locale, {}, { ignoreTag: true })));
+      if (!format) {
+        format = new IntlMessageFormat(withNumbers(message, args), locale, {}, { ignoreTag: true });
+        messages.set(english, format);
+      }
       try {
         return String(format.format({ ...args }));
       } catch (thrown) {
