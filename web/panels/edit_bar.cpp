@@ -204,24 +204,36 @@ void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
 /// What stands in the bar, and what in its menu.
 struct Split {
   BarSplit bar;
+  Cells cells;
   bool words = true;  ///< below the icons
   float side = 0;     ///< height of a button
+  int rows() const { return cells.empty() ? 1 : cells.back().row + 1; }
+  double height() const { return rows() * (static_cast<double>(side) + kGap) - kGap + 2 * kPadding; }
   double more() const { return bar.rest.empty() ? 0 : static_cast<double>(side) + kGap; }
 };
 
-/// One row where the view is small, of icons alone where words have no room; else as many as are needed. `height`: of
-/// the view.
-Split fold(const PanelEnv& env, Ids ids, bool small, double room, double height) {
+Split foldWith(const PanelEnv& env, Ids ids, bool words, bool oneRow, double room) {
   Split out;
-  out.words = height >= kWordsFrom && (!small || wordedWidth(env, ids, kGap) <= room);
-  out.side = out.words ? wordedHeight(env) : buttonSide(env);
-  const double cells =
-      out.words ? static_cast<double>(ids.size()) : (room + kGap) / (static_cast<double>(out.side) + kGap);
-  out.bar = splitBar(ids, static_cast<std::size_t>(cells), [&](app::CommandId id) { return isToolInUse(env, id); });
+  out.words = words;
+  out.side = words ? wordedHeight(env) : buttonSide(env);
+  const bool splits = oneRow && !(words && wordedWidth(env, ids, kGap) <= room);
+  const auto cells = static_cast<std::size_t>((room + kGap) / (static_cast<double>(out.side) + kGap));
+  out.bar = splitBar(ids, splits ? cells : ids.size(), [&](app::CommandId id) { return isToolInUse(env, id); });
+  out.cells = arrange(env, out.bar.shown, words, room - out.more(), out.side);
   return out;
 }
 
-void paintBar(const PanelEnv& env, const app::Rect& card, const Cells& cells, const Split& split, ImU32 colour) {
+/// One row where the view is small, else as many as are needed; with words, where all have room for them and the view
+/// has room for the rows.
+Split fold(const PanelEnv& env, Ids ids, bool oneRow, double room, double height) {
+  constexpr double kMostOfView = 0.35;
+  const Split worded = foldWith(env, ids, true, oneRow, room);
+  const bool fits = height >= kWordsFrom && worded.bar.rest.empty() && worded.height() <= kMostOfView * height;
+  return fits ? worded : foldWith(env, ids, false, oneRow, room);
+}
+
+void paintBar(const PanelEnv& env, const app::Rect& card, const Split& split, ImU32 colour) {
+  const Cells& cells = split.cells;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
@@ -275,23 +287,21 @@ void drawEditBar(const PanelEnv& env) {
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
   if (room < static_cast<double>(buttonSide(env))) return;
   const Split split = fold(env, items, layout.stacked || small || column > 0, room, view.height);
-  const Cells cells = arrange(env, split.bar.shown, split.words, room - split.more(), split.side);
-  const int rows = cells.empty() ? 1 : cells.back().row + 1;
   double widest = 0;
-  for (int row = 0; row < rows; ++row) {
+  for (int row = 0; row < split.rows(); ++row) {
     double width = -kGap;
-    for (const Cell& cell : cells) width += cell.row == row ? cell.width + kGap : 0;
+    for (const Cell& cell : split.cells) width += cell.row == row ? cell.width + kGap : 0;
     widest = std::max(widest, width);
   }
   const double width = widest + split.more() + 2 * kPadding;
-  const double height = rows * (static_cast<double>(split.side) + kGap) - kGap + 2 * kPadding;
+  const double height = split.height();
   const double head = view.y + kMargin + (shapes > 0 ? shapes + kBelow : 0);
   const double y = atFoot ? view.bottom() - kMargin - height : head;
   const app::Rect card{view.right() - column - kMargin - width, y, width, height};
   env.ui().overlays.push_back(card);
   if (layout.stacked && !places && shapes == 0) env.ui().barHead = height + kMargin;
   const ImU32 colour = toolColour(env.ui().tool);
-  paintBar(env, card, cells, split, colour);
+  paintBar(env, card, split, colour);
   barMenu(env, app::BarMenu::Edit, split.bar, card, colour);
   coilCard(env, card);
   sidesCard(env, card, atFoot);
