@@ -212,24 +212,37 @@ struct Split {
   double more() const { return bar.rest.empty() ? 0 : static_cast<double>(side) + kGap; }
 };
 
-Split foldWith(const PanelEnv& env, Ids ids, bool words, bool oneRow, double room) {
+/// `most`: commands in the bar, when one row has no room for all.
+Split foldWith(const PanelEnv& env, Ids ids, bool words, std::size_t most, double room) {
   Split out;
   out.words = words;
   out.side = words ? wordedHeight(env) : buttonSide(env);
-  const bool splits = oneRow && !(words && wordedWidth(env, ids, kGap) <= room);
-  const auto cells = static_cast<std::size_t>((room + kGap) / (static_cast<double>(out.side) + kGap));
-  out.bar = splitBar(ids, splits ? cells : ids.size(), [&](app::CommandId id) { return isToolInUse(env, id); });
+  const std::size_t cells = most < ids.size() ? most + 1 : ids.size();  // one is the menu's
+  out.bar = splitBar(ids, cells, [&](app::CommandId id) { return isToolInUse(env, id); });
   out.cells = arrange(env, out.bar.shown, words, room - out.more(), out.side);
   return out;
 }
 
-/// One row where the view is small, else as many as are needed; with words, where all have room for them and the view
-/// has room for the rows.
+/// As many as one row has room for.
+Split foldRow(const PanelEnv& env, Ids ids, bool words, double room) {
+  std::size_t most = ids.size();
+  Split out = foldWith(env, ids, words, most, room);
+  while (out.rows() > 1 && most > 1) out = foldWith(env, ids, words, --most, room);
+  return out;
+}
+
+/// One row where the view is small, else as many as are needed; with words, where the view has room for the rows, and
+/// one row for the most used: then the others wait in the menu.
 Split fold(const PanelEnv& env, Ids ids, bool oneRow, double room, double height) {
   constexpr double kMostOfView = 0.35;
-  const Split worded = foldWith(env, ids, true, oneRow, room);
-  const bool fits = height >= kWordsFrom && worded.bar.rest.empty() && worded.height() <= kMostOfView * height;
-  return fits ? worded : foldWith(env, ids, false, oneRow, room);
+  constexpr std::size_t kMostUsed = 4;
+  const auto with = [&](bool words) {
+    return oneRow ? foldRow(env, ids, words, room) : foldWith(env, ids, words, ids.size(), room);
+  };
+  const Split worded = with(true);
+  const bool fits = height >= kWordsFrom && worded.height() <= kMostOfView * height &&
+                    worded.bar.shown.size() >= std::min(kMostUsed, ids.size());
+  return fits ? worded : with(false);
 }
 
 void paintBar(const PanelEnv& env, const app::Rect& card, const Split& split, ImU32 colour) {

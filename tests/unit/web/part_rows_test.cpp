@@ -208,13 +208,13 @@ TEST_CASE("what was put together is lit from when it is there, for a moment, and
   CHECK(lit == 0);
 }
 
-TEST_CASE("what was drawn is said with how many of its ends are guesses, and what was deleted") {
+TEST_CASE("what was drawn is said, by an offer that many of its ends are guesses, and what was deleted") {
   Rig page;
   page.openBar();
   page.drawBar();
   CHECK(page.host.said("Part 1 is made."));
   page.run("draw-spine", R"({"stroke": [[20, 40], [22, 100], [20, 160]]})");
-  CHECK(page.host.said("ends are guesses."));
+  CHECK(page.host.said("of the ends are guesses"));
   page.run("delete-part");
   CHECK(page.host.said("Part 2 is deleted."));
   page.run("undo");
