@@ -37,22 +37,26 @@ Station between(const Station& a, const Station& b, double t, Sweep& sweep) {
   return station;
 }
 
-/// Inner rings of a mouth at the front of `stations`, from the mouth inwards to the floor.
-std::vector<Ring> mouthRings(std::span<const Station> stations, Sweep& sweep) {
+/// Appends the inner rings of a mouth at one end, from the mouth inwards to the floor.
+void addMouth(bool atStart, Sweep& sweep, std::vector<Ring>& rings) {
   constexpr double kInner = 1 - sections::kWall;
-  std::vector<double> along(stations.size(), 0.0);
-  for (std::size_t i = 1; i < stations.size(); ++i) {
-    along[i] = along[i - 1] + distance(stations[i - 1].centre, stations[i].centre);
-  }
-  const double floor = sections::kMouthDepth * along.back();
-  std::vector<Ring> rings;
+  const std::size_t count = sweep.stations.size();
+  const auto at = [&](std::size_t i) -> const Station& { return sweep.stations[atStart ? i : count - 1 - i]; };
+  const auto step = [&](std::size_t i) { return distance(at(i).centre, at(i + 1).centre); };
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < count; ++i) length += step(i);
+  const double floor = sections::kMouthDepth * length;
+  double along = 0, before = 0;
   std::size_t i = 0;
   // A ring just before the floor would leave slivers: skip it.
-  for (; i + 1 < stations.size() && along[i] <= 0.98 * floor; ++i) rings.push_back({stations[i], kInner});
-  const double step = along[i] - along[i - 1];
-  const double t = step > 0 ? std::clamp((floor - along[i - 1]) / step, 0.05, 1.0) : 0.5;
-  rings.push_back({between(stations[i - 1], stations[i], t, sweep), kInner});
-  return rings;
+  for (; i + 1 < count && along <= 0.98 * floor; ++i) {
+    rings.push_back({at(i), kInner});
+    before = along;
+    along += step(i);
+  }
+  const double last = along - before;
+  const double t = last > 0 ? std::clamp((floor - before) / last, 0.05, 1.0) : 0.5;
+  rings.push_back({between(at(i - 1), at(i), t, sweep), kInner});
 }
 
 void fillPath(Sweep& sweep, RingPath& path) {
@@ -62,8 +66,8 @@ void fillPath(Sweep& sweep, RingPath& path) {
   const bool startOpen = sweep.startOpen && deep, endOpen = sweep.endOpen && deep;
   path.rings.reserve(2 * stations.size() + 2);
   if (startOpen && !endOpen) {
-    const std::vector<Ring> mouth = mouthRings(stations, sweep);
-    path.rings.assign(mouth.rbegin(), mouth.rend());
+    addMouth(true, sweep, path.rings);
+    std::ranges::reverse(path.rings);
   }
   for (const Station& station : stations) path.rings.push_back({station, 1});
   path.joined = sweep.joined;
@@ -71,9 +75,7 @@ void fillPath(Sweep& sweep, RingPath& path) {
     for (auto s = stations.rbegin(); s != stations.rend(); ++s) path.rings.push_back({*s, 1 - sections::kWall});
     path.joined = true;
   } else if (endOpen) {
-    const std::vector<Station> backwards(stations.rbegin(), stations.rend());
-    const std::vector<Ring> mouth = mouthRings(backwards, sweep);
-    path.rings.insert(path.rings.end(), mouth.begin(), mouth.end());
+    addMouth(false, sweep, path.rings);
   }
 }
 

@@ -524,7 +524,7 @@ TEST_CASE(
     "while lines are drawn a click takes a part in hand, with shift one more or one less, and beside them nothing "
     "changes") {
   TwoBars rig;
-  rig.run("draw-spine", R"({"stroke": [[150, 50], [152, 100], [150, 150]]})");
+  rig.run("draw-spine", R"({"stroke": [[180, 50], [181, 100], [180, 150]]})");
   rig.settle();
   const auto click = [&](double x, double y, int modifiers) {
     using platform::PointerKind;
@@ -539,13 +539,13 @@ TEST_CASE(
     for (const Json& id : *state.find("selected")->array()) ids.push_back(*id.number());
     return ids;
   };
-  CHECK(click(151, 60, 0) == std::vector<double>{3});
+  CHECK(click(180.2, 60, 0) == std::vector<double>{3});
   const std::vector<double> both = click(100, 60, platform::kShift);
   CHECK(both.size() == 2);
   CHECK(both.back() == 3);
   CHECK(click(20, 60, platform::kShift) == both);
-  CHECK(click(151, 60, platform::kShift).size() == 1);
-  CHECK(click(151, 60, 0) == std::vector<double>{3});
+  CHECK(click(180.2, 60, platform::kShift).size() == 1);
+  CHECK(click(180.2, 60, 0) == std::vector<double>{3});
 }
 
 TEST_CASE("commands about a part, a solid or parts may name what is not selected") {
