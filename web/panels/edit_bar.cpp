@@ -187,7 +187,7 @@ void coilCard(const PanelEnv& env, const app::Rect& above) {
 /// foot, while they have one.
 void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   const document::Part* part = env.selected();
-  if (part == nullptr || !part->mirror || env.ui().tool != app::ToolKind::Place) return;
+  if (part == nullptr || !part->mirror || env.ui().tool != app::ToolKind::Place || env.ui().solids.hollow) return;
   const double width = std::min(300.0, env.ui().layout.solid.width - 2 * kMargin);
   constexpr double kHeight = 66, kApart = 6;
   const double y = atFoot ? bar.y - kApart - kHeight : bar.bottom() + kApart;

@@ -45,7 +45,8 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const app::Rect& view = bar.view;
   const bool column = app::buttonsAtSide(view);
   const double edge = 6, room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
-  const double worded = wordedWidth(env, bar.ids, 2) + 2;
+  double worded = 0;
+  for (const app::CommandId id : bar.ids) worded += static_cast<double>(commandButtonWidth(env, id)) + 2;
   const bool words = !column && worded <= room && view.height >= kWordsFrom;
   const float side = words ? wordedHeight(env) : env.ui().touch ? 44.f : 34.f;
   const double cell = side + 2.;

@@ -293,12 +293,6 @@ float commandButtonWidth(const PanelEnv& env, app::CommandId id) {
 
 float wordedHeight(const PanelEnv& env) { return env.ui().touch ? 50.f : 44.f; }
 
-double wordedWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double gap) {
-  double width = -gap;
-  for (const app::CommandId id : ids) width += static_cast<double>(commandButtonWidth(env, id)) + gap;
-  return width;
-}
-
 void commandButton(const PanelEnv& env, app::CommandId id, float size, float width, ImU32 colour) {
   const app::Command& command = app::commandOf(id);
   const std::string name{std::string_view(id)};

@@ -117,8 +117,6 @@ void commandButton(const PanelEnv& env, app::CommandId id, float size, float wid
 /// How wide and how high it has to be for its word.
 float commandButtonWidth(const PanelEnv& env, app::CommandId id);
 float wordedHeight(const PanelEnv& env);
-/// Of such buttons in a row, with `gap` between them.
-double wordedWidth(const PanelEnv& env, std::span<const app::CommandId> ids, double gap);
 /// Below this height of a view they would take too much of it.
 inline constexpr double kWordsFrom = 220;
 

@@ -245,7 +245,7 @@ TEST_CASE("the network gives the scores that the program which trained it gives"
     from += 4 * cells;
     // Planes have 16 bits of their greatest value.
     const float greatest = *std::ranges::max_element(expected, {}, [](float score) { return std::abs(score); });
-    CHECK(farthest(side, expected) < 1.5e-4 * std::abs(greatest));
+    CHECK(farthest(side, expected) < 1e-4 * std::abs(greatest));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "tests/unit/web/rig.h"
@@ -180,6 +181,24 @@ TEST_CASE("the bar over the solid has what is needed to go on, at every size") {
       CHECK(std::ranges::count(words, word) > 0);
     }
   }
+}
+
+TEST_CASE("of a part that has a twin the opening is that of one of both, not the place between them") {
+  Desk desk;
+  const auto nearest = [](const app::Mouth& mouth) {
+    double out = std::numeric_limits<double>::infinity();
+    for (const auto& segment : mouth.rim) out = std::min(out, distance(segment[0], mouth.at));
+    return out;
+  };
+  const auto one = desk.mouth(document::OpeningSide::Up, 0.3);
+  REQUIRE(one);
+  desk.run("set-place", R"({"part": 1, "x": 60})");
+  desk.run("symmetry", R"({"part": 1, "axis": "x"})");
+  desk.studio.derived();
+  const auto both = desk.mouth(document::OpeningSide::Up, 0.3);
+  REQUIRE(both);
+  CHECK(both->rim.size() == 2 * one->rim.size());
+  CHECK(nearest(*both) == doctest::Approx(nearest(*one)).epsilon(0.01));
 }
 
 TEST_CASE(

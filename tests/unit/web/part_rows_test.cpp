@@ -208,6 +208,14 @@ TEST_CASE("what was put together is lit from when it is there, for a moment, and
   CHECK(lit == 0);
 }
 
+TEST_CASE("a few guesses are told with the part, without an offer") {
+  Rig page;
+  page.openBar();
+  page.run("draw-spine", R"({"stroke": [[100, 40], [100, 174]]})");
+  CHECK(page.host.said("ends are guesses."));
+  CHECK_FALSE(page.host.said("Try again"));
+}
+
 TEST_CASE("what was drawn is said, by an offer that many of its ends are guesses, and what was deleted") {
   Rig page;
   page.openBar();
