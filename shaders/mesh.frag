@@ -56,7 +56,8 @@ void main() {
   float shine = pow(max(0.0, dot(n, normalize(key + v))), 42.0) * 0.16;
   float away = 1.0 - max(0.0, dot(n, v));
   float rim = away * away * away;
-  vec3 light = albedo * (ambient + diffuse) + vec3(shine) + vec3(0.05) * rim;
+  // Darker towards its outline, so that white stands out before paper.
+  vec3 light = albedo * (ambient + diffuse) * (1.0 - 0.4 * rim) + vec3(shine) + vec3(0.05) * rim;
   if (finish != 0) light = ball(n, plain);
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);
   result = vec4(encode(clamp(light, 0.0, 1.0)), 1.0);
