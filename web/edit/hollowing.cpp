@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/groups.h"
 #include "engine/base/hash.h"
 #include "engine/document/update.h"
 #include "engine/pipeline/world.h"
@@ -41,16 +42,11 @@ std::vector<SolidPlan::Operand> leavesOf(const SolidPlan& plan, const SolidPlan:
   return leaves;
 }
 
-/// `visit` is told the three corners of every triangle in the world.
-template <class Visit>
-void eachTriangle(const SolidPlan& plan, const std::vector<SolidPlan::Operand>& leaves, const Visit& visit) {
+/// The corners of a part in the world.
+std::vector<WorldPoint> cornersOf(const SolidPlan& plan, const SolidPlan::Operand& leaf) {
   std::vector<WorldPoint> at;
-  for (const SolidPlan::Operand& leaf : leaves) {
-    const mesh::TriMesh& mesh = *plan.meshes[leaf.mesh].mesh;
-    at.clear();
-    for (const auto& p : mesh.positions) at.push_back(placed(leaf, p));
-    for (const auto& t : mesh.triangles) visit(at[t[0]], at[t[1]], at[t[2]]);
-  }
+  for (const auto& p : plan.meshes[leaf.mesh].mesh->positions) at.push_back(placed(leaf, p));
+  return at;
 }
 
 /// The document as it would be, and what its solver would be asked.
@@ -89,10 +85,59 @@ double volumeOf(const CommandEnv& env, Operand what) {
   double six = 0;
   for (const SolidPlan::Operand& leaf : leavesOf(then->plan, *then->node)) {
     double own = 0;
-    eachTriangle(then->plan, {leaf}, [&](WorldPoint a, WorldPoint b, WorldPoint c) { own += dot(a, cross(b, c)); });
+    const std::vector<WorldPoint> at = cornersOf(then->plan, leaf);
+    for (const auto& t : then->plan.meshes[leaf.mesh].mesh->triangles) own += dot(at[t[0]], cross(at[t[1]], at[t[2]]));
     six += std::abs(own);
   }
   return six / 6;
+}
+
+/// Where a surface crosses a height, and in which of its closed curves each segment lies.
+struct Crossing {
+  std::vector<std::array<WorldPoint, 2>> segments;
+  std::vector<std::uint32_t> curves;  ///< of each segment
+};
+/// `heights` of the corners above the plane; none is taken to lie on it. Cost: O(triangles + n log n) for n segments.
+Crossing crossingOf(const mesh::TriMesh& mesh, const std::vector<WorldPoint>& at, const std::vector<double>& heights) {
+  Crossing out;
+  std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> edges;  // each is one of two segments
+  for (const auto& t : mesh.triangles) {
+    std::array<WorldPoint, 2> ends;
+    std::size_t count = 0;
+    const auto segment = static_cast<std::uint32_t>(out.segments.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      const double a = heights[low], b = heights[high];
+      if ((a > 0) == (b > 0)) continue;
+      ends[count++] = at[low] + (at[high] - at[low]) * (a / (a - b));
+      edges.push_back({{low, high}, segment});
+    }
+    if (count == 2) out.segments.push_back(ends);
+  }
+  std::ranges::sort(edges);
+  Groups curves(out.segments.size());
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    if (edges[i].first == edges[i - 1].first) curves.unite(edges[i].second, edges[i - 1].second);
+  }
+  for (std::uint32_t i = 0; i < out.segments.size(); ++i) out.curves.push_back(curves.of(i));
+  return out;
+}
+
+/// A curve's length, and the middle of it.
+struct Curve {
+  double length = 0;
+  WorldPoint sum;
+  WorldPoint middle() const { return sum * (1 / length); }
+};
+Curve longestOf(const Crossing& crossing) {
+  std::vector<Curve> curves(crossing.segments.size());
+  for (std::size_t i = 0; i < crossing.segments.size(); ++i) {
+    const auto& [a, b] = crossing.segments[i];
+    Curve& curve = curves[crossing.curves[i]];
+    curve.length += distance(a, b);
+    curve.sum = curve.sum + (a + b) * (distance(a, b) / 2);
+  }
+  return curves.empty() ? Curve{} : *std::ranges::max_element(curves, {}, &Curve::length);
 }
 
 bool canBeHollow(const document::Document& document, Operand what) {
@@ -147,36 +192,28 @@ std::optional<Mouth> mouthOf(const document::Document& document, const pipeline:
   Mouth mouth{{}, {way[0], way[1], way[2]}, {}};
   const std::vector<SolidPlan::Operand> leaves = leavesOf(then->plan, *then->node);
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  eachTriangle(then->plan, leaves, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
-    for (const WorldPoint& p : {a, b, c}) {
+  std::vector<std::vector<WorldPoint>> corners;
+  for (const SolidPlan::Operand& leaf : leaves) {
+    for (const WorldPoint& p : corners.emplace_back(cornersOf(then->plan, leaf))) {
       const double along = dot(p, mouth.out);
       low = std::min(low, along);
       if (along <= high) continue;
       high = along;
       mouth.at = p;  // should the plane meet nothing
     }
-  });
+  }
   if (!(low < high)) return std::nullopt;
   const double level = high - std::max(draft.opening.depth * (high - low), std::min(draft.wall, (high - low) / 4));
-  std::size_t longest = 0;
-  for (const SolidPlan::Operand& leaf : leaves) {
-    const std::size_t before = mouth.rim.size();
-    WorldPoint sum;
-    eachTriangle(then->plan, {leaf}, [&](WorldPoint a, WorldPoint b, WorldPoint c) {
-      std::array<WorldPoint, 2> ends;
-      int count = 0;
-      for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
-        const double up = dot(p, mouth.out) - level, uq = dot(q, mouth.out) - level;
-        if ((up > 0) != (uq > 0) && count < 2) ends[static_cast<std::size_t>(count++)] = p + (q - p) * (up / (up - uq));
-      }
-      if (count < 2) return;
-      mouth.rim.push_back(ends);
-      sum = sum + ends[0] + ends[1];
-    });
-    const std::size_t own = mouth.rim.size() - before;
-    if (own <= longest) continue;
-    longest = own;
-    mouth.at = sum * (1. / (2. * static_cast<double>(own)));
+  double longest = 0;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    std::vector<double> heights;
+    for (const WorldPoint& p : corners[i]) heights.push_back(dot(p, mouth.out) - level);
+    const Crossing crossing = crossingOf(*then->plan.meshes[leaves[i].mesh].mesh, corners[i], heights);
+    mouth.rim.insert(mouth.rim.end(), crossing.segments.begin(), crossing.segments.end());
+    const Curve curve = longestOf(crossing);
+    if (curve.length <= longest) continue;
+    longest = curve.length;
+    mouth.at = curve.middle();
   }
   return mouth;
 }

@@ -29,7 +29,7 @@ bool becomesHollow(const document::Document& document, const UiState& ui, PartId
 
 /// Where a hollow solid opens, WorldSpace.
 struct Mouth {
-  WorldPoint at;   ///< the middle of the rim of one part: of a part that has a twin, not between both
+  WorldPoint at;   ///< the middle of the rim's longest closed curve: not between two peaks, or a part and its twin
   WorldPoint out;  ///< unit, away from the solid
   /// The curve in which the surface meets the plane of the opening, as line segments in no order. The plane is as far
   /// below the outermost point as is cut off there, at least the wall.

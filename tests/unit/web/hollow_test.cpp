@@ -69,12 +69,18 @@ struct Desk {
     } while (studio.busy());
   }
   void run(std::string_view id, std::string_view args) { REQUIRE(app::runCommand(env, id, *Json::parse(args)).ok()); }
-  std::optional<app::Mouth> mouth(document::OpeningSide side, double depth = 0) {
-    document::CombineParts draft = app::hollowOf(env, {PartId{1}, {}});
+  std::optional<app::Mouth> mouth(document::OpeningSide side, double depth = 0, PartId part = PartId{1}) {
+    document::CombineParts draft = app::hollowOf(env, {part, {}});
     draft.opening = {side, depth};
     return app::mouthOf(studio.document(), studio.derived(), draft);
   }
 };
+
+double nearest(const app::Mouth& mouth) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const auto& segment : mouth.rim) out = std::min(out, distance(segment[0], mouth.at));
+  return out;
+}
 
 }  // namespace
 
@@ -183,13 +189,26 @@ TEST_CASE("the bar over the solid has what is needed to go on, at every size") {
   }
 }
 
+TEST_CASE("of a part with two peaks the opening is that of the larger one, not the place between them") {
+  Desk desk;
+  desk.run("draw-puff",
+           R"({"line": [[20,40],[80,40],[80,140],[140,140],[140,40],[180,40],[180,180],[20,180],[20,40]]})");
+  desk.studio.derived();
+  const auto mouth = desk.mouth(document::OpeningSide::Up, 0.3, PartId{2});
+  REQUIRE(mouth);
+  double left = std::numeric_limits<double>::infinity(), right = -left, most = 0;
+  for (const auto& segment : mouth->rim) {
+    left = std::min(left, segment[0].x);
+    right = std::max(right, segment[0].x);
+    most = std::max(most, std::abs(segment[0].z));
+  }
+  // The left peak is three eighths of the width, the right one a quarter.
+  CHECK(mouth->at.x == doctest::Approx(left + (right - left) * 3 / 16).epsilon(0.02));
+  CHECK(nearest(*mouth) < 1.01 * most);
+}
+
 TEST_CASE("of a part that has a twin the opening is that of one of both, not the place between them") {
   Desk desk;
-  const auto nearest = [](const app::Mouth& mouth) {
-    double out = std::numeric_limits<double>::infinity();
-    for (const auto& segment : mouth.rim) out = std::min(out, distance(segment[0], mouth.at));
-    return out;
-  };
   const auto one = desk.mouth(document::OpeningSide::Up, 0.3);
   REQUIRE(one);
   desk.run("set-place", R"({"part": 1, "x": 60})");
