@@ -109,6 +109,46 @@ test('the page is dark where the system asks for it, the canvas as well, and cha
     assert.ok(saved.equals(Buffer.from(await exported(page, 'glb'))));
   }));
 
+test('the canvas has the colours that the system forces, and more contrast where it is asked for, as soon as it changes', () =>
+  onPage(kit, { alone: true, draws: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const { x, y, width, height } = await page.locator('#canvas').boundingBox();
+    const panel = { x: x + width - 238, y: y + 60, width: 236, height: 200 };
+    const solidView = { x: x + width - 300, y: y + height / 2, width: 8, height: 8 };
+    const seen = async (media) => {
+      await page.emulateMedia({ colorScheme: 'light', contrast: 'no-preference', forcedColors: 'none', ...media });
+      await page.evaluate(() => new Promise(requestAnimationFrame)); // the page hears of it before its next frame
+      await idle(page);
+      const system = await page.evaluate(() => {
+        const probe = document.createElement('span');
+        probe.style.setProperty('forced-color-adjust', 'none');
+        document.body.append(probe);
+        const colours = ['Canvas', 'CanvasText', 'Highlight'].map((name) => {
+          probe.style.color = name;
+          return getComputedStyle(probe).color.match(/\d+/g).slice(0, 3).map(Number);
+        });
+        probe.remove();
+        return colours;
+      });
+      const coloursIn = async (clip) => {
+        const { data } = await pixels(page, clip);
+        const found = new Set();
+        for (let i = 0; i < data.length; i += 4) found.add([data[i], data[i + 1], data[i + 2]].join());
+        return found;
+      };
+      return { system: system.map(String), panel: await coloursIn(panel), ground: await coloursIn(solidView) };
+    };
+    const plain = await seen({});
+    for (const colorScheme of ['light', 'dark']) {
+      const { system, panel, ground } = await seen({ forcedColors: 'active', colorScheme });
+      for (const colour of system) assert.ok(panel.has(colour), `${colorScheme}: ${colour} on the panel`);
+      assert.deepEqual([...ground], [system[0]], 'the ground of the solid view');
+    }
+    const sharp = await seen({ contrast: 'more' });
+    assert.ok(sharp.panel.has('107,102,88') && !plain.panel.has('107,102,88'), 'the lines round tiles');
+    assert.deepEqual([...(await seen({})).panel].sort(), [...plain.panel].sort(), 'and back again');
+  }));
+
 test('by keyboard alone: open a sample, make a part, change it, save it', () =>
   onPage(kit, { alone: true }, async (page) => {
     for (const command of ['language', 'open-picture']) {

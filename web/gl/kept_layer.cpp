@@ -8,7 +8,7 @@ namespace {
 /// From the same place, in views of the same size, whatever the number of their pixels.
 bool sameView(const Scene& a, const Scene& b) {
   return a.solidView == b.solidView && a.height == b.height && a.view == b.view && a.projection == b.projection &&
-         a.dark == b.dark;
+         a.ground == b.ground;
 }
 
 Texture makeTexture(GLenum format, int width, int height) {

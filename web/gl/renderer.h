@@ -66,6 +66,13 @@ struct Floor {
   bool operator==(const Floor&) const = default;
 };
 
+/// Colours, sRGB 0…1; as they are here the page is light.
+struct Ground {
+  std::array<float, 3> paper = {0.969f, 0.961f, 0.941f};                                    ///< where nothing is drawn
+  std::array<float, 3> middle = {0.988f, 0.984f, 0.973f}, edge = {0.925f, 0.914f, 0.886f};  ///< of the solid view
+  bool operator==(const Ground&) const = default;
+};
+
 /// Everything below the panels of one frame.
 struct Scene {
   double width = 0, height = 0, dpr = 1;  ///< of the canvas, CSS pixels
@@ -77,7 +84,7 @@ struct Scene {
   Mat4 view, projection;
   Floor floor;
   std::vector<SceneMesh> meshes;
-  bool dark = false;   ///< the ground is; of a snapshot it never is
+  Ground ground;       ///< of a snapshot it is always light
   bool still = false;  ///< nothing moves: this frame may take longer and look better
   bool held = false;   ///< a hand waits for this frame, which is about as soon drawn as those before
   /// A processor draws it for a hand that moves: the floor and its shadow stay while they are about as large.

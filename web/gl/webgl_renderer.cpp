@@ -27,9 +27,6 @@ namespace {
 
 constexpr int kSamples = 4;  ///< of a pixel whose edges are smooth
 
-// As in the style sheet.
-constexpr std::array kPaper = {0.969f, 0.961f, 0.941f}, kDarkPaper = {0.090f, 0.098f, 0.118f};
-
 struct Programs {
   Program background, picture, mesh, floor;
   bool complete() const { return isLinked(background) && isLinked(picture) && isLinked(mesh) && isLinked(floor); }
@@ -55,7 +52,7 @@ std::array<float, 3> linear(std::array<float, 3> srgb) {
 /// The solid views of both look the same.
 bool sameSolids(const Scene& a, const Scene& b) {
   return a.solidView.width == b.solidView.width && a.solidView.height == b.solidView.height && a.dpr == b.dpr &&
-         a.view == b.view && a.projection == b.projection && a.floor == b.floor && a.dark == b.dark &&
+         a.view == b.view && a.projection == b.projection && a.floor == b.floor && a.ground == b.ground &&
          a.meshes == b.meshes;
 }
 
@@ -108,8 +105,7 @@ class WebGlRenderer final : public Renderer {
     const int width = static_cast<int>(std::lround(scene.width * scene.dpr));
     const int height = static_cast<int>(std::lround(scene.height * scene.dpr));
     glDisable(GL_SCISSOR_TEST);
-    const auto [red, green, blue] = scene.dark ? kDarkPaper : kPaper;
-    glClearColor(red, green, blue, 1);
+    clearTo(scene);
     glDepthMask(GL_TRUE);
     beginFrame(scene, width, height);
     glEnable(GL_SCISSOR_TEST);
@@ -134,7 +130,7 @@ class WebGlRenderer final : public Renderer {
     if (lost_) return {};
     shadow_.update(scene, meshes_, quadArray_);
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(kPaper[0], kPaper[1], kPaper[2], 1);
+    clearTo(scene);
     glDepthMask(GL_TRUE);
     if (!snapshot_.begin(width, height)) return {};
     if (scene.solidView.width >= 1) {
@@ -175,6 +171,11 @@ class WebGlRenderer final : public Renderer {
   bool contextRestored() override { return !lost_ || build(); }
 
  private:
+  static void clearTo(const Scene& scene) {
+    const auto [red, green, blue] = scene.ground.paper;
+    glClearColor(red, green, blue, 1);
+  }
+
   /// Clears what the frame is drawn into, and binds it.
   void beginFrame(const Scene& scene, int width, int height) {
     waits_ = !drawsOnCanvas(scene) && frame_.begin(width, height);
@@ -361,7 +362,8 @@ class WebGlRenderer final : public Renderer {
     glDisable(GL_BLEND);
     glUseProgram(programs_.background.name());
     placeQuad(programs_.background, scene.solidView, scene.solidView);
-    glUniform1f(uniform(programs_.background, "dark"), scene.dark ? 1.f : 0.f);
+    glUniform3fv(uniform(programs_.background, "middle"), 1, scene.ground.middle.data());
+    glUniform3fv(uniform(programs_.background, "edge"), 1, scene.ground.edge.data());
     drawQuad();
   }
 

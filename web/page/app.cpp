@@ -46,7 +46,7 @@ App::App(Parts parts, const platform::CanvasSize& size)
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
-  panels::applyTheme(ui_.dark);
+  panels::applyTheme(ui_.palette);
   ui_.camera = homeCamera({{-0.4, -0.4, -0.25}, {0.4, 0.4, 0.25}}, {0, 0, 400, 400});
   resize(size);
   announce();
@@ -66,10 +66,10 @@ void App::speak(words::Language language, std::vector<std::uint8_t> text, std::v
   touch(3);
 }
 
-void App::setDark(bool dark) {
-  if (ui_.dark == dark) return;
-  ui_.dark = dark;
-  panels::applyTheme(dark);
+void App::setPalette(const platform::Palette& palette) {
+  if (ui_.palette == palette) return;
+  ui_.palette = palette;
+  panels::applyTheme(palette);
   touch(2);
 }
 

@@ -43,7 +43,7 @@ class App final : public platform::Page, Hand {
   void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) override;
   void wake() override;
   void resize(const platform::CanvasSize& size) override;
-  void setDark(bool dark) override;
+  void setPalette(const platform::Palette& palette) override;
   void warmUp() override;
   void pointer(const platform::PointerEvent& event) override;
   void wheel(const platform::WheelEvent& event) override;

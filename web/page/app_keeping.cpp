@@ -164,7 +164,7 @@ const image::Image& App::thumbnail(int width, int height) {
   gl::Scene scene;
   buildScene(studio_.document(), studio_.derived(), small, scene);
   scene.still = true;
-  scene.dark = false;
+  scene.ground = {};
   if (scene.meshes.empty() && !scene.picture) return thumbnail_;
   return thumbnail_ = renderer_->snapshot(scene);
 }
@@ -185,7 +185,7 @@ const image::Image& App::turntable(int width, int height, double turn) {
   gl::Scene scene;
   buildScene(studio_.document(), studio_.derived(), view, scene);
   scene.still = true;
-  scene.dark = false;
+  scene.ground = {};
   return thumbnail_ = renderer_->snapshot(scene);
 }
 

@@ -72,7 +72,7 @@ void row(const PanelEnv& env, const document::Part& part, float indent, float wi
   width -= indent;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (inHand) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
+  if (inHand) markOn(list, at, {at.x + width, at.y + height}, kAccentSoft);
   const bool tapped = grip(env, {part.id, {}}, {grips, height}, part.name);
   ImGui::SameLine(0, 0);
   const bool pressed = ImGui::InvisibleButton("row", {width - buttons - grips, height}) || tapped;

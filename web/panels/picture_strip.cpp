@@ -80,7 +80,7 @@ bool menuRow(const PanelEnv& env, const app::Command& command, bool on = false) 
   const bool pressed = ImGui::InvisibleButton(command.icon.data(), {width, height});
   registerControl(env, app::Control::Kind::Button, command.label, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (on) list.AddRectFilled(at, {at.x + width, at.y + height}, kAccentSoft, 8);
+  if (on) markOn(list, at, {at.x + width, at.y + height}, kAccentSoft);
   if (ImGui::IsItemHovered()) {
     list.AddRectFilled(at, {at.x + width, at.y + height}, kHover, 8);
   }

@@ -148,9 +148,8 @@ void spineButton(const PanelEnv& env, float width, bool next) {
   const bool on = env.ui().tool == app::ToolKind::Draw;
   registerControl(env, app::Control::Kind::Button, kSpineLine, true, on);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (next || on || ImGui::IsItemHovered()) {
-    list.AddRectFilled(at, end, next ? kAccent : on ? kAccentSoft : kHover, 8);
-  }
+  if (on && !next) markOn(list, at, end, kAccentSoft);
+  if (next || (!on && ImGui::IsItemHovered())) list.AddRectFilled(at, end, next ? kAccent : kHover, 8);
   const ImU32 ink = next ? kOnAccent : on ? kAccent : kInk;
   const bool words = width > side + 1;
   ImFont* icons = env.fonts.icons;

@@ -180,9 +180,9 @@ bool solidRow(const PanelEnv& env, const document::Step& step, float indent, flo
     const ImU32 lit = faded(kAccent, static_cast<unsigned>(110 * flash->light));
     list.AddRectFilled(at, {at.x + width - indent, at.y + height}, lit, 8);
   }
-  if (selected || ImGui::IsItemHovered()) {
-    list.AddRectFilled(at, {at.x + width - indent, at.y + height}, selected ? kAccentSoft : kHover, 8);
-  }
+  const ImVec2 end{at.x + width - indent, at.y + height};
+  if (selected) markOn(list, at, end, kAccentSoft);
+  if (!selected && ImGui::IsItemHovered()) list.AddRectFilled(at, end, kHover, 8);
   if (!trouble.empty()) tooltip(asIs(trouble));
   ImFont* icons = env.fonts.icons;
   const float iconSize = icons->FontSize * ImGui::GetIO().FontGlobalScale;

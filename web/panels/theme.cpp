@@ -1,41 +1,6 @@
 #include "web/panels/theme.h"
 
 namespace spineloft::panels {
-namespace {
-
-constexpr Palette kLight = {
-    .ink = rgb(0x1f2430),
-    .muted = rgb(0x5c6474),
-    .paper = rgb(0xf7f5f0),
-    .surface = rgb(0xffffff),
-    .line = rgb(0xe3dfd6),
-    .accent = rgb(0xc8431d),
-    .accentSoft = rgb(0xfdeee8),
-    .hover = rgb(0xf4f1ea),
-    .tile = rgb(0xfaf9f6),
-    .trough = rgb(0xf1eee7),
-    .handle = rgb(0xb4ad9e),
-    .warning = rgb(0xa8500a),
-    .good = rgb(0x2f8f5b),
-};
-
-constexpr Palette kDarkPalette = {
-    .ink = rgb(0xeceef3),
-    .muted = rgb(0xaab1c0),
-    .paper = rgb(0x17191e),
-    .surface = rgb(0x22252c),
-    .line = rgb(0x3b404b),
-    .accent = rgb(0xf0744e),
-    .accentSoft = rgb(0x47291f),
-    .hover = rgb(0x2f333c),
-    .tile = rgb(0x2a2e36),
-    .trough = rgb(0x343944),
-    .handle = rgb(0x7d8596),
-    .warning = rgb(0xffb95e),
-    .good = rgb(0x5fc78e),
-};
-
-}  // namespace
 
 ImU32 toolColour(app::ToolKind tool) {
   switch (tool) {
@@ -61,8 +26,8 @@ ImU32 toolColour(app::ToolKind tool) {
   }
 }
 
-void applyTheme(bool dark) {
-  detail::inUse = dark ? kDarkPalette : kLight;
+void applyTheme(const platform::Palette& palette) {
+  detail::inUse = palette;
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   ImGui::StyleColorsLight(&style);
@@ -85,7 +50,7 @@ void applyTheme(bool dark) {
   set(ImGuiCol_TextDisabled, kMuted);
   set(ImGuiCol_WindowBg, kSurface);
   set(ImGuiCol_ChildBg, rgb(0xffffff, 0));
-  set(ImGuiCol_PopupBg, kDark);
+  set(ImGuiCol_PopupBg, kBubble);
   set(ImGuiCol_Border, kLine);
   set(ImGuiCol_ScrollbarBg, rgb(0xffffff, 0));
   set(ImGuiCol_ScrollbarGrab, faded(kHandle, 150));

@@ -17,7 +17,7 @@ namespace {
 constexpr float kDragSlop = 8;
 constexpr float kTileWords = 0.92f;  // of the small font
 constexpr float kWordHeight = 15;    // what a word below an icon takes
-constexpr double kTipRoom = 60;      // above a button, for the words about it
+constexpr double kTipRoom = 60;    // above a button, for the words about it
 
 /// Where a line of this width begins: at the right side of its room where the language does.
 float lineStart(float left, float room, float width) {
@@ -49,8 +49,13 @@ void rightToLeftLines(ImFont* font, std::string_view text, float room) {
   if (!line.empty()) put();
 }
 
+struct ButtonGround {
+  ImU32 colour;
+  bool active, hovered, held;
+};
 /// The colour as ink on a panel: a dark one half way to white where panels are dark.
 ImU32 asInk(ImU32 colour) {
+  if (tellsByFrames()) return kAccent;
   const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour), ground = ImGui::ColorConvertU32ToFloat4(kSurface);
   constexpr float kDarkest = 0.4f;
   const float light = 0.3f * c.x + 0.6f * c.y + 0.1f * c.z;
@@ -58,8 +63,14 @@ ImU32 asInk(ImU32 colour) {
   return ImGui::ColorConvertFloat4ToU32({(1 + c.x) / 2, (1 + c.y) / 2, (1 + c.z) / 2, c.w});
 }
 
-/// The same colour as a pale ground.
-ImU32 softened(ImU32 colour) { return (colour & ~IM_COL32_A_MASK) | (28u << IM_COL32_A_SHIFT); }
+/// The ground of a button: of one that is on a pale one of its colour.
+void buttonGround(ImDrawList& list, const ImVec2& low, const ImVec2& high, const ButtonGround& is) {
+  if (is.active) {
+    markOn(list, low, high, faded(is.colour, 28));
+  } else if (is.hovered || is.held) {
+    list.AddRectFilled(low, high, is.held ? kLine : kHover, 8);
+  }
+}
 
 std::string tipOf(const app::Command& command) {
   std::string tip(words::tr(command.label));
@@ -74,6 +85,14 @@ std::string tipOf(const app::Command& command) {
 ImVec2 extentOf(ImFont* font, std::string_view text, float share) {
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale * share;
   return font->CalcTextSizeA(size, FLT_MAX, 0, text.data(), text.data() + text.size());
+}
+
+void markOn(ImDrawList& list, ImVec2 low, ImVec2 high, ImU32 soft) {
+  if (tellsByFrames()) {
+    list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, kAccent, 8, 0, 2);
+  } else {
+    list.AddRectFilled(low, high, soft, 8);
+  }
 }
 
 void drawLine(ImDrawList& list, const Line& line, std::string_view text) {
@@ -124,7 +143,7 @@ void tooltip(Text tip) {
     ImGui::SetNextWindowPos({(low.x + high.x) / 2, above ? low.y - 8 : high.y + 8}, ImGuiCond_Always,
                             {0.5f, above ? 1.f : 0.f});
   }
-  ImGui::PushStyleColor(ImGuiCol_Text, kHalo);
+  ImGui::PushStyleColor(ImGuiCol_Text, kOnBubble);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 7});
   if (ImGui::BeginTooltip()) {
     const std::string_view text = tip.shown();
@@ -270,10 +289,8 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + extentOfAll.x, at.y + extentOfAll.y};
-  if (button.active || hovered || held) {
-    list.AddRectFilled(at, end, button.active ? softened(own) : held ? kLine : kHover, 8);
-  }
-  const ImU32 ink = button.active ? asInk(own) : button.enabled ? kInk : faded(kMuted, 110);
+  buttonGround(list, at, end, {own, button.active, hovered, held});
+  const ImU32 ink = button.active ? asInk(own) : button.enabled ? kInk : kDisabled;
   ImFont* font = env.fonts.icons;
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
@@ -331,10 +348,8 @@ void wordButton(const PanelEnv& env, const WordButton& button) {
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end{at.x + button.width, at.y + button.height};
-  if (active || hovered || held) {
-    list.AddRectFilled(at, end, active ? softened(button.colour) : held ? kLine : kHover, 8);
-  }
-  const ImU32 ink = active ? asInk(button.colour) : can ? kInk : faded(kMuted, 110);
+  buttonGround(list, at, end, {button.colour, active, hovered, held});
+  const ImU32 ink = active ? asInk(button.colour) : can ? kInk : kDisabled;
   ImFont* icons = env.fonts.icons;
   const float scale = ImGui::GetIO().FontGlobalScale, size = icons->FontSize * scale;
   const char* text = iconText(command.icon);
@@ -367,7 +382,7 @@ bool textButton(const PanelEnv& env, const TextButton& button) {
   ImFont* font = button.primary ? env.fonts.bold : env.fonts.text;
   const std::string_view text = shortened(font, button.text, width - 8);
   const ImVec2 extent = extentOf(font, text);
-  const ImU32 ink = !button.enabled ? faded(kMuted, 110) : button.primary ? kOnAccent : kInk;
+  const ImU32 ink = !button.enabled ? kDisabled : button.primary ? kOnAccent : kInk;
   drawLine(list, {font, {at.x + (width - extent.x) / 2, at.y + (button.height - extent.y) / 2}, ink}, text);
   ImGui::EndDisabled();
   return pressed && button.enabled;

@@ -42,6 +42,8 @@ struct Line {
   float share = 1;
 };
 void drawLine(ImDrawList& list, const Line& line, std::string_view shown);
+/// The ground of what is on or in hand: `soft`, or a frame where no pale ground tells it.
+void markOn(ImDrawList& list, ImVec2 low, ImVec2 high, ImU32 soft);
 
 /// An icon of the font as text ("" for an unknown name). Valid until the next call.
 const char* iconText(std::string_view name);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -81,8 +82,11 @@ EMSCRIPTEN_KEEPALIVE void spl_resize(double width, double height, double dpr) {
   page()->resize(sizeOf(width, height, dpr));
 }
 
-EMSCRIPTEN_KEEPALIVE void spl_setDark(int dark) {
-  if (page() != nullptr) page()->setDark(dark != 0);
+EMSCRIPTEN_KEEPALIVE void spl_setPalette(const std::uint8_t* bytes, int length) {
+  Palette palette;
+  if (page() == nullptr || length != static_cast<int>(sizeof palette)) return;
+  std::memcpy(&palette, bytes, sizeof palette);
+  page()->setPalette(palette);
 }
 
 EMSCRIPTEN_KEEPALIVE void spl_pointer(int kind, int id, int device, int button, int buttons, double x, double y,

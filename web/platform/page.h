@@ -48,6 +48,24 @@ struct CanvasSize {
   double dpr = 1;                ///< device pixels a CSS pixel
   bool operator==(const CanvasSize&) const = default;
 };
+/// The page's colours by what they are for, as the style sheet names them: a byte each of red, green, blue and opacity,
+/// red the lowest. In the order of kRoles in web/shell/surface.ts. As they are here the page is light.
+struct Palette {
+  static constexpr std::uint32_t rgb(std::uint32_t hex) {
+    return 0xff000000u | (hex & 255u) << 16 | (hex & 0xff00u) | hex >> 16;
+  }
+  std::uint32_t ink = rgb(0x1f2430), muted = rgb(0x5c6474), disabled = rgb(0x9a9fab), paper = rgb(0xf7f5f0),
+                surface = rgb(0xffffff), line = rgb(0xe3dfd6), accent = rgb(0xc8431d), onAccent = rgb(0xffffff),
+                accentSoft = rgb(0xfdeee8), hover = rgb(0xf2efe8);
+  std::uint32_t tile = rgb(0xfbfaf7);     ///< the ground of a tile, of a graph
+  std::uint32_t trough = rgb(0xf1eee7);   ///< of a slider, of a switch, of the bar between the views
+  std::uint32_t handle = rgb(0xb4ad9e);   ///< what is dragged in a trough
+  std::uint32_t warning = rgb(0xa8500a);  ///< words
+  std::uint32_t good = rgb(0x2f8f5b);     ///< a sign
+  std::uint32_t bubble = rgb(0x1f2430), onBubble = rgb(0xffffff);    ///< words that hang over all others
+  std::uint32_t ground = rgb(0xfcfbf8), groundEdge = rgb(0xece9e2);  ///< of the solid view, in its middle and around
+  bool operator==(const Palette&) const = default;
+};
 struct FontFiles {
   std::vector<std::uint8_t> text, bold, icons;  ///< TrueType files
   /// Letters that those lack, of the visitor's language; empty where it has none.
@@ -76,8 +94,7 @@ class Page {
   /// The page speaks this language from now on; the fonts of its script are used beside the others.
   virtual void speak(words::Language language, std::vector<std::uint8_t> text, std::vector<std::uint8_t> bold) = 0;
   virtual void resize(const CanvasSize& size) = 0;
-  /// Light on a dark ground, or dark on a light one (false, as it begins).
-  virtual void setDark(bool dark) = 0;
+  virtual void setPalette(const Palette& palette) = 0;
   /// A part of what the first frame needs is made before it is wanted; called a few times while nobody waits.
   virtual void warmUp() = 0;
   virtual void pointer(const PointerEvent& event) = 0;

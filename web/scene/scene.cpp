@@ -1,7 +1,9 @@
 #include "web/scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,11 @@ namespace spineloft::app {
 namespace {
 
 gl::Viewport viewport(const Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
+
+std::array<float, 3> colourOf(std::uint32_t colour) {
+  const auto channel = [&](unsigned shift) { return static_cast<float>((colour >> shift) & 255u) / 255.f; };
+  return {channel(0), channel(8), channel(16)};
+}
 
 gl::SceneTexture textureOf(const document::PictureEntry& entry, const image::Picture& pixels) {
   return {{Hasher().text("picture").number(entry.contentHash).value()}, &pixels.working};
@@ -222,7 +229,7 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.width = ui.canvasWidth;
   scene.height = ui.canvasHeight;
   scene.dpr = ui.dpr;
-  scene.dark = ui.dark;
+  scene.ground = {colourOf(ui.palette.paper), colourOf(ui.palette.ground), colourOf(ui.palette.groundEdge)};
   scene.pictureView = viewport(ui.layout.picture);
   scene.solidView = viewport(ui.layout.solid);
   scene.picture.reset();

@@ -60,7 +60,7 @@ interface Module {
   ): number;
   _spl_speak(id: number, rightToLeft: number, font: number, fontLength: number, bold: number, boldLength: number): void;
   _spl_resize(width: number, height: number, dpr: number): void;
-  _spl_setDark(dark: number): void;
+  _spl_setPalette(bytes: number, length: number): void;
   _spl_pointer(
     kind: number,
     id: number,
@@ -291,8 +291,10 @@ export class Engine {
     this.module._spl_resize(size.width, size.height, size.dpr);
   }
 
-  setDark(dark: boolean): void {
-    this.module._spl_setDark(dark ? 1 : 0);
+  setPalette(palette: Uint8Array): void {
+    const at = this.put(palette);
+    this.module._spl_setPalette(at, palette.length);
+    this.module._free(at);
   }
 
   pointer(p: PointerSample): void {

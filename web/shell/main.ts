@@ -22,7 +22,7 @@ import { connectPointer } from './pointer.ts';
 import { installApi } from './public_api.ts';
 import { startEngine } from './start_engine.ts';
 import { buildStartPage, kSamples, sampleAddress } from './start_page.ts';
-import { sizeOf, watchContext, watchSize, watchTheme } from './surface.ts';
+import { sizeOf, watchContext, watchPalette, watchSize } from './surface.ts';
 import { toast } from './toasts.ts';
 import { serverLink, takeServerLink } from './room/address.ts';
 import { Classroom } from './room/classroom.ts';
@@ -49,7 +49,7 @@ function showFailure(failure: Failure): void {
 
 function connect(page: Page, engine: Engine): void {
   watchSize(canvas, (size) => engine.resize(size));
-  watchTheme((dark) => engine.setDark(dark));
+  watchPalette((palette) => engine.setPalette(palette));
   watchContext({ canvas, engine, say: (text) => page.say(text) });
   connectPointer({ canvas, engine, undo: () => page.run('undo'), redo: () => page.run('redo') });
   const pen = new KeyboardPen({ canvas, engine, say: (text) => page.say(text) });

@@ -40,11 +40,36 @@ export function watchSize(canvas: HTMLCanvasElement, onSize: (size: Size) => voi
   watchRatio();
 }
 
-/** Tells whether the system asks for a dark page, now and whenever that changes. */
-export function watchTheme(onTheme: (dark: boolean) => void): void {
-  const dark = matchMedia('(prefers-color-scheme: dark)');
-  onTheme(dark.matches);
-  dark.addEventListener('change', () => onTheme(dark.matches));
+/** The colours of the style sheet that the canvas draws in, in the order of platform::Palette (web/platform/page.h). */
+const kRoles = [
+  ...['ink', 'muted', 'faint', 'paper', 'surface', 'line', 'canvas-accent', 'on-accent', 'accent-soft', 'hover'],
+  ...['raised', 'trough', 'handle', 'warning', 'good', 'bubble', 'on-bubble', 'ground', 'ground-edge'],
+];
+
+/** Four bytes for each role: red, green, blue and an opacity that is always full. */
+function paletteNow(): Uint8Array {
+  const probe = document.createElement('span');
+  probe.hidden = true;
+  probe.style.setProperty('forced-color-adjust', 'none');
+  document.body.append(probe);
+  const bytes = kRoles.flatMap((role) => {
+    probe.style.color = `var(--${role})`;
+    const [red = 0, green = 0, blue = 0] =
+      getComputedStyle(probe)
+        .color.match(/[\d.]+/g)
+        ?.map(Number) ?? [];
+    return [red, green, blue, 255];
+  });
+  probe.remove();
+  return Uint8Array.from(bytes);
+}
+
+/** Tells the colours of the canvas, now and whenever the system asks for others. */
+export function watchPalette(onPalette: (palette: Uint8Array) => void): void {
+  const tell = () => onPalette(paletteNow());
+  tell();
+  for (const asked of ['(prefers-color-scheme: dark)', '(prefers-contrast: more)', '(forced-colors: active)'])
+    matchMedia(asked).addEventListener('change', tell);
 }
 
 export interface ContextPage {

@@ -17,6 +17,7 @@
 #include "engine/ribs/edit/edit_gestures.h"
 #include "web/model/cut_draft.h"
 #include "web/model/print_report.h"
+#include "web/platform/page.h"
 #include "web/ui/layout.h"
 #include "web/ui/reusable.h"
 #include "web/ui/section_ui.h"
@@ -367,7 +368,7 @@ struct UiState {
   bool moreNumbers = false;        ///< panels show the numbers that few need
   double busySinceMs = -1;         ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
-  bool dark = false;                  ///< the page is light on a dark ground
+  platform::Palette palette;
   bool touch = false;                 ///< the last pointer was a finger: larger targets
   bool penSeen = false;               ///< a pen was used: fingers no longer draw
   std::vector<Thumbnail> thumbnails;  ///< of the strip, as of the last frame
