@@ -138,8 +138,9 @@ void writeArgument(const CommandEnv& env, const Argument& argument, JsonWriter& 
 
 }  // namespace
 
-void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on) {
+void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on, std::string_view icon) {
   json.beginObject().key("value").text(value).key("label").text(label);
+  if (!icon.empty()) json.key("icon").text(icon);
   json.key("toggled").flag(on).endObject();
 }
 

@@ -99,8 +99,8 @@ Outcome runCommand(const CommandEnv& env, std::string_view id, const Json& args)
 /// The command of a key, or null: that of the topmost open mode which has one. Without `env` modes are left out.
 const Command* commandForKey(const platform::KeyEvent& event, const CommandEnv* env = nullptr);
 
-/// One choice of a menu, as Argument::choices writes them.
-void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on);
+/// One choice of a menu, as Argument::choices writes them; `icon`: its picture, by the name that the shell knows.
+void writeChoice(JsonWriter& json, std::string_view value, std::string_view label, bool on, std::string_view icon = {});
 
 /// The table as the contract's `spl_commands` gives it.
 void writeCommands(const CommandEnv& env, JsonWriter& json);

@@ -257,13 +257,14 @@ const MirrorAxis* axisFor(Env env, const Parts& parts, const Json& args) {
 }
 
 void axisChoices(Env, JsonWriter& json) {
-  for (const MirrorAxis& axis : mirrorAxes()) writeChoice(json, axis.key, axis.words, false);
+  for (const MirrorAxis& axis : mirrorAxes()) writeChoice(json, axis.key, axis.words, false, axis.icon);
 }
 void symmetryChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, {});
-  writeChoice(json, "off", "None", part != nullptr && !part->mirror);
+  writeChoice(json, "off", "None", part != nullptr && !part->mirror, "ban");
   for (const MirrorAxis& axis : mirrorAxes()) {
-    writeChoice(json, axis.key, axis.words, part != nullptr && part->mirror && isAcross(*part->mirror, axis));
+    const bool on = part != nullptr && part->mirror && isAcross(*part->mirror, axis);
+    writeChoice(json, axis.key, axis.words, on, axis.icon);
   }
 }
 

@@ -150,9 +150,9 @@ std::vector<document::Action> placeActions(const document::Document& document, c
 
 std::span<const MirrorAxis> mirrorAxes() {
   // Things seen from the side need the second one.
-  static constexpr std::array kAxes = {MirrorAxis{"x", "Left and right", "Left, right", {1, 0, 0}},
-                                       MirrorAxis{"z", "Front and back", "Front, back", {0, 0, 1}},
-                                       MirrorAxis{"y", "Top and bottom", "Top, bottom", {0, 1, 0}}};
+  static constexpr std::array kAxes = {MirrorAxis{"x", "Left and right", "Left, right", "sides-x", {1, 0, 0}},
+                                       MirrorAxis{"z", "Front and back", "Front, back", "sides-z", {0, 0, 1}},
+                                       MirrorAxis{"y", "Top and bottom", "Top, bottom", "sides-y", {0, 1, 0}}};
   return kAxes;
 }
 

@@ -52,6 +52,7 @@ struct MirrorAxis {
   const char* key;    ///< "x"
   const char* words;  ///< "Left and right"
   const char* brief;  ///< on a small picture
+  const char* icon;   ///< that picture in the shell
   WorldPoint normal;
 };
 /// All of them, the commonest first.

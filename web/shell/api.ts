@@ -448,6 +448,8 @@ export interface State {
 export interface CommandChoice {
   value: string | number;
   label: string;
+  /** The name of its picture in the menu. */
+  icon?: string;
   toggled?: boolean;
 }
 

@@ -128,6 +128,7 @@ export class CommandBar {
       command: command.id,
       value: String(choice.value),
       label: choice.label,
+      icon: choice.icon,
       swatch: /^#[0-9a-f]{6}$/i.test(String(choice.value)) ? String(choice.value) : undefined,
       kind: typeof choice.toggled === 'boolean' ? ('radio' as const) : undefined,
       checked: choice.toggled,

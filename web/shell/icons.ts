@@ -140,7 +140,16 @@ import {
   Worm,
 } from 'lucide-static';
 
+/** A thing and its other side, as the panels draw it (web/panels/place_panel.cpp): the way to it, and the line between. */
+const sides = ([x, y]: [number, number], line: string) =>
+  `<svg viewBox="0 0 24 24" fill="currentColor"><g opacity="0.45"><circle cx="${12 + x}" cy="${12 + y}" r="3.8"/>
+  <path d="${line}" fill="none" stroke="currentColor" stroke-width="1.5"/></g>
+  <circle cx="${12 - x}" cy="${12 - y}" r="3.8"/></svg>`;
+
 const kIcons: Record<string, string> = {
+  'sides-x': sides([5.8, 0], 'M12 2V22'),
+  'sides-y': sides([0, 5.5], 'M2 12H22'),
+  'sides-z': sides([3, -3], 'M2 2L22 22'),
   'arrow-right': ArrowRight,
   box: Box,
   bird: Bird,
