@@ -72,6 +72,102 @@ test('on a phone on its side all three ways to begin are in sight', () =>
     }
   }));
 
+test('the ways to another side have pictures in the menu', () =>
+  onPage(kit, {}, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    await page.locator('#bar-more').click();
+    await page.locator('.menu [data-command=symmetry]').click();
+    const drawn = await page
+      .locator('.menu [data-command=symmetry]')
+      .evaluateAll((items) => items.map((item) => item.querySelector('.icon')?.innerHTML ?? ''));
+    assert.equal(drawn.length, 4);
+    assert.equal(new Set(drawn).size, 4, 'each its own');
+    assert.equal(
+      drawn.filter((picture) => picture.split('<circle').length === 3).length,
+      3,
+      'a thing and its other side',
+    );
+    await page.keyboard.press('Escape');
+  }));
+
+/** A task of Help, begun. */
+async function begin(page, id) {
+  await page.locator('#things').click();
+  await page.evaluate((task) => document.querySelector(`dialog button[value=${task}]`).click(), id);
+  await page.waitForFunction(() => window.spineloft.state().picture !== null);
+  await idle(page);
+}
+
+/** Where the ghost hand draws, picture pixels; null: it does not. It comes back a while after a pen was lifted. */
+async function ghostOf(page) {
+  await page.waitForTimeout(700);
+  return page.evaluate(() => {
+    const line = document.querySelector('#ghost-layer .ghost-line');
+    return (
+      line &&
+      line
+        .getAttribute('d')
+        .slice(1)
+        .split('L')
+        .map((point) => point.split(' ').map(Number))
+    );
+  });
+}
+
+/** What is done before each line of a task that is drawn. */
+const kBefore = {
+  sausage: [[], []],
+  vase: [[], []],
+  mug: [[], [], [['hollow-show'], ['hollow-use'], ['new-part']]],
+  zucchini: [[]],
+  bird: [[], [['puff']]],
+  robot: [[], [['set-section', { section: 'square' }], ['new-part']], [['new-part']], [['new-part']]],
+};
+for (const [id, lines] of Object.entries(kBefore)) {
+  test(`the ghost hand shows each line of a task until it is drawn, and it can be drawn as it is shown (${id})`, () =>
+    onPage(kit, { alone: true, firstVisit: true }, async (page) => {
+      await begin(page, id);
+      const shown = [];
+      for (const before of lines) {
+        if (id === 'bird' && shown.length === 1) await run(page, 'draw-puff', { line: shown[0] });
+        for (const command of before) await run(page, ...command);
+        await idle(page);
+        const line = await ghostOf(page);
+        assert.ok(line, `line ${shown.length + 1}`);
+        assert.notDeepEqual(line, shown.at(-1), 'what was drawn is not shown again');
+        shown.push(line);
+        await drawWithMouse(page, line);
+        await idle(page);
+      }
+      assert.equal(await ghostOf(page), null);
+      assert.equal((await state(page)).parts.length, { mug: 2, bird: 2, robot: 4 }[id] ?? 1);
+    }));
+}
+
+test('the ghost hand leaves while a hand is down, and comes back when that drew nothing', () =>
+  onPage(kit, { alone: true, firstVisit: true }, async (page) => {
+    await begin(page, 'zucchini');
+    const ghost = page.locator('#ghost-layer .ghost');
+    await ghost.waitFor({ state: 'attached' });
+    const { x, y, width } = await page.locator('#canvas').boundingBox();
+    await page.mouse.move(x + width * 0.6, y + 200);
+    await page.mouse.down();
+    await ghost.waitFor({ state: 'detached' });
+    await page.mouse.up();
+    await ghost.waitFor({ state: 'attached' });
+    assert.equal((await state(page)).parts.length, 0);
+  }));
+
+test('on a phone the words of a step are not over the paper: they stand in the line at the foot', () =>
+  onPage(kit, { ...kPhone, alone: true, firstVisit: true }, async (page) => {
+    await begin(page, 'sausage');
+    assert.equal(await page.locator('#hint').isVisible(), false);
+    assert.match(await page.locator('#coach').innerText(), /outline of a long sausage.*\(1 of 4\)/);
+    const canvas = await page.locator('#canvas').boundingBox();
+    const told = await page.locator('#coach').boundingBox();
+    assert.ok(told.y >= canvas.y + canvas.height - 4, `${told.y} against ${canvas.y + canvas.height}`);
+  }));
+
 test('Home shows the start page and keeps the model; Help tells and begins', () =>
   onPage(kit, { alone: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);
@@ -98,7 +194,6 @@ test('Home shows the start page and keeps the model; Help tells and begins', () 
     await drawWithMouse(page, oval(width / 2, height / 2, width * 0.3, height * 0.15));
     await page.waitForFunction(() => window.spineloft.state().tool === 'draw');
     assert.equal(await hint.isVisible(), false);
-    assert.equal(await ghost.count(), 0);
     assert.match(await coach.innerText(), /end to end \(2 of 4\)/);
     await run(page, 'puff');
     assert.equal(await hint.isVisible(), false, 'the tool says what it does');

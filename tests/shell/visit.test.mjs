@@ -9,6 +9,7 @@ import { load } from './support/load.mjs';
 const { choicesOf, findCommands } = await load('find_commands.ts');
 const { kFirstVisit, kTasks, Steps } = await load('tasks.ts');
 const { adviceFor } = await load('advice.ts');
+const { exampleOn } = await load('task_drawings.ts');
 const { isBlank } = await load('shell_view.ts');
 
 const documented = JSON.parse(readFileSync(join(root, 'assets/docs/commands.json'), 'utf8'));
@@ -128,10 +129,49 @@ test('the number that is told with a step is its place in the list, whatever was
   assert.equal(led.place(first), 1, 'two later steps are done');
 });
 
+const kExamples = kTasks.flatMap(({ steps }) => steps.flatMap(({ examples = [] }) => examples));
+
+test('every step of a task on paper that is drawn has an example, the first one on empty paper', () => {
+  for (const { id, steps } of kTasks.filter(({ on }) => on === 'paper')) {
+    const drawn = steps.filter(({ say }) => /draw/i.test(say));
+    for (const { say, examples } of drawn) assert.ok(examples?.length > 0, `${id}: ${say}`);
+    drawn.flatMap(({ examples }) => examples).forEach(({ on }, i) => assert.equal(on === null, i === 0, id));
+  }
+  const limbs = kTasks.find(({ id }) => id === 'robot').steps.find(({ examples }) => examples?.length > 1);
+  assert.equal(limbs.examples.length, 3, 'head, arms and legs');
+});
+
 test('what the ghost hand draws stays on the paper, whose sides are as 3 to 4 or longer', () => {
-  const drawings = kTasks.flatMap(({ steps }) => steps.flatMap(({ drawing }) => (drawing ? [drawing] : [])));
-  assert.equal(drawings.length, kTasks.filter(({ on }) => on === 'paper').length, 'one for each task on paper');
-  for (const drawing of drawings) for (const [x, y] of drawing) assert.ok(Math.max(Math.abs(x), Math.abs(y)) < 0.45);
+  for (const { line } of kExamples)
+    for (const [x, y] of line) assert.ok(Math.max(Math.abs(x), Math.abs(y)) < 0.45, `${x} ${y}`);
+});
+
+test('a later line goes with what was drawn first: to where it is, and as wide and high; never off the paper', () => {
+  const paper = { width: 1200, height: 900, drawn: null };
+  for (const example of kExamples) {
+    if (example.on === null) {
+      assert.deepEqual(
+        exampleOn(example, paper),
+        example.line.map(([x, y]) => [600 + 900 * x, 450 + 900 * y]),
+      );
+      assert.equal(exampleOn(example, { ...paper, drawn: [1, 2, 3, 4] }), null, 'something is there already');
+      continue;
+    }
+    assert.equal(exampleOn(example, paper), null, 'nothing to draw it on');
+    const first = exampleOn({ line: example.on, on: null }, paper);
+    const [xs, ys] = [0, 1].map((k) => first.map((point) => point[k]));
+    const drawn = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+    const near = (a, b) => a.forEach((point, i) => point.forEach((v, k) => assert.ok(Math.abs(v - b[i][k]) < 1e-6)));
+    const alike = exampleOn(example, { ...paper, drawn });
+    near(alike, exampleOn({ line: example.line, on: null }, paper));
+    const half = exampleOn(example, { ...paper, drawn: drawn.map((v) => 100 + v / 2) });
+    near(
+      half,
+      alike.map((point) => point.map((v) => 100 + v / 2)),
+    );
+    for (const [x, y] of exampleOn(example, { ...paper, drawn: [0, 0, 1200, 900] }))
+      assert.ok(x > 0 && x < 1200 && y > 0 && y < 900);
+  }
 });
 
 test('advice is of the tool in hand: none where another tool says what it does', () => {

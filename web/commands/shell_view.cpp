@@ -1,6 +1,7 @@
 #include "web/commands/shell_view.h"
 
 #include <algorithm>
+#include <span>
 
 #include "web/commands/commands.h"
 #include "web/model/json.h"
@@ -9,7 +10,31 @@
 namespace spineloft::app {
 namespace {
 
-void showPicture(const UiState& ui, const document::PictureEntry& entry, ViewPicture& picture) {
+void reach(std::span<const PicturePoint> points, std::optional<std::array<double, 4>>& box) {
+  for (const PicturePoint& p : points) {
+    if (!box) box = {p.x, p.y, p.x, p.y};
+    auto& [left, top, right, bottom] = *box;
+    left = std::min(left, p.x);
+    top = std::min(top, p.y);
+    right = std::max(right, p.x);
+    bottom = std::max(bottom, p.y);
+  }
+}
+
+std::optional<std::array<double, 4>> drawnOn(const document::Document& document, const document::PictureEntry& entry) {
+  std::optional<std::array<double, 4>> box;
+  for (const image::SketchStroke& stroke : entry.sketch) {
+    if (!stroke.erase) reach(stroke.points, box);
+  }
+  for (const document::Part& part : document.parts) {
+    const document::LoftRecipe* loft = document::loftOf(part);
+    if (!box && loft != nullptr && loft->picture == entry.id) reach(loft->stroke, box);
+  }
+  return box;
+}
+
+void showPicture(const document::Document& document, const UiState& ui, const document::PictureEntry& entry,
+                 ViewPicture& picture) {
   const auto corner = [&](double x, double y) { return ui.pictureView.toClient({x, y}, ui.layout.picture); };
   picture.size = entry.size;
   picture.strokes = entry.sketch.size();
@@ -17,6 +42,8 @@ void showPicture(const UiState& ui, const document::PictureEntry& entry, ViewPic
   picture.finished = entry.isSketch() && looksFinished(entry);
   picture.topLeft = corner(-0.5, -0.5);
   picture.bottomRight = corner(entry.size.width - 0.5, entry.size.height - 0.5);
+  picture.drawn.reset();
+  if (!ui.sections.board) picture.drawn = drawnOn(document, entry);
 }
 
 void showPart(const pipeline::Derived& derived, const document::Part& part, ViewSelected& selected) {
@@ -72,7 +99,7 @@ void viewOf(const CommandEnv& env, ShellView& view) {
   view.turned = ui.cameraTouched;
   view.checked = ui.print.has_value();
   if (const document::PictureEntry* entry = document::findPicture(document, ui.picture)) {
-    showPicture(ui, *entry, filled(view.picture));
+    showPicture(document, ui, *entry, filled(view.picture));
   } else {
     view.picture.reset();
   }
@@ -109,7 +136,14 @@ void writePicture(const ShellView& view, JsonWriter& json) {
   const ViewPicture& picture = *view.picture;
   json.beginObject().key("width").number(picture.size.width).key("height").number(picture.size.height);
   json.key("sketch").flag(picture.sketch).key("strokes").number(static_cast<double>(picture.strokes));
-  json.key("finished").flag(picture.finished);
+  json.key("finished").flag(picture.finished).key("drawn");
+  if (picture.drawn) {
+    json.beginArray();
+    for (const double side : *picture.drawn) json.number(side);
+    json.endArray();
+  } else {
+    json.null();
+  }
   json.key("topLeft").beginObject().key("x").number(picture.topLeft.x).key("y").number(picture.topLeft.y).endObject();
   json.key("bottomRight").beginObject().key("x").number(picture.bottomRight.x);
   json.key("y").number(picture.bottomRight.y).endObject().endObject();

@@ -2,6 +2,7 @@
 // from what was told last. The whole state is for programs (state_json.h).
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <optional>
@@ -21,6 +22,9 @@ struct ViewPicture {
   std::size_t strokes = 0;
   bool sketch = false, finished = false;  ///< as looksFinished
   ClientPoint topLeft, bottomRight;       ///< its corners on the canvas
+  /// Around the pen's lines on it, without any around the line of its first part: left, top, right, bottom, its pixels.
+  /// None also while a slice is drawn in its place.
+  std::optional<std::array<double, 4>> drawn;
   bool operator==(const ViewPicture&) const = default;
 };
 

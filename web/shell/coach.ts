@@ -4,7 +4,7 @@ import type { Command } from './api.ts';
 import { byId } from './dom.ts';
 import { icon } from './icons.ts';
 import type { ShellView } from './shell_view.ts';
-import type { Drawing } from './task_drawings.ts';
+import type { Example } from './task_drawings.ts';
 import { kFirstVisit, Steps } from './tasks.ts';
 import type { Task } from './tasks.ts';
 import { isAsked, onToasts } from './toasts.ts';
@@ -15,8 +15,8 @@ const kClosed = 'spineloft.coach';
 /** A step as it is told. */
 export interface Advised {
   words: string;
-  /** What the ghost hand shows on empty paper. */
-  drawing: Drawing | null;
+  /** What the ghost hand shows. */
+  example: Example | null;
 }
 
 /** Commands that answer a question which is open on the canvas while they can be run. */
@@ -64,7 +64,8 @@ export class Coach {
       n: this.steps.place(step),
       all: this.steps.steps.length,
     });
-    return { words, drawing: step.drawing ?? null };
+    const { examples = [] } = step;
+    return { words, example: examples[Math.min(Math.max(view.parts - 1, 0), examples.length - 1)] ?? null };
   }
 
   /** Tells this in the status line; null: nothing is to be told there. */

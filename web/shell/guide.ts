@@ -6,7 +6,8 @@ import { ghostHand } from './ghost_hand.ts';
 import type { GhostPath } from './ghost_hand.ts';
 import type { ShellView } from './shell_view.ts';
 import type { Sample } from './start_page.ts';
-import type { Drawing } from './task_drawings.ts';
+import { exampleOn } from './task_drawings.ts';
+import type { Example } from './task_drawings.ts';
 import { canvasLength, canvasUnit, putOver } from './text_size.ts';
 import { t } from './words/words.ts';
 
@@ -18,46 +19,59 @@ const kGap = 12,
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
 
+/** How long a pen is away before the ghost hand comes back, milliseconds: what it drew may be known by then. */
+const kBackMs = 600;
+
 export class Guide {
   private readonly hint = byId('hint');
   private readonly layer = byId('ghost-layer');
   private sample: Sample | null = null;
-  /** What the ghost drew, and who puts a pen down has understood. */
-  private understood: Drawing | null = null;
-  private ghost: { element: SVGElement; of: Sample | Drawing } | null = null;
+  private ghost: { element: SVGElement; of: Sample | Example; d: string } | null = null;
+  /** Shows the ghost hand as things are; it stays away while a pen is down. */
+  private show: () => void = () => undefined;
+  /** Infinity while a pen is down, then the timer after which it comes back, then 0. */
+  private away = 0;
 
   constructor() {
-    byId('canvas').addEventListener('pointerdown', () => this.offer(null));
+    byId('canvas').addEventListener('pointerdown', () => {
+      clearTimeout(this.away);
+      this.away = Infinity;
+      this.clear();
+    });
+    for (const type of ['pointerup', 'pointercancel'])
+      addEventListener(type, () => {
+        if (this.away === Infinity) this.away = window.setTimeout(() => this.comeBack(), kBackMs);
+      });
   }
 
   /** The sample whose line is to be shown over the picture, or none. */
   offer(sample: Sample | null): void {
     this.sample = sample;
-    if (this.ghost && !('spine' in this.ghost.of)) this.understood = this.ghost.of;
     this.clear();
   }
 
   /**
-   * Follows the picture while there is no part; then it is gone for good. A step of a task takes the place of the usual advice.
-   * True where the advice is shown.
+   * Follows the picture: advice while there is no part, the ghost hand in every step that has something to draw. A step of a
+   * task takes the place of the usual advice, where there is room beside the picture. True where the advice is shown.
    */
   update(view: ShellView, step: Advised | null): boolean {
+    if (!view.picture || view.parts > 0) this.sample = null;
+    this.show = () => this.showGhost(view, step);
+    this.show();
     const advice = adviceFor(view);
     this.hint.hidden = advice === '';
-    if (advice === '' || !view.picture) {
-      this.sample = null;
-      this.clear();
-      return false;
-    }
+    if (advice === '' || !view.picture) return false;
     const words = step?.words ?? t(advice);
     if (this.hint.textContent !== words) this.hint.textContent = words;
     const { topLeft, bottomRight } = view.picture;
-    this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
-    const shown = this.sample ?? step?.drawing ?? null;
-    if (this.ghost?.of !== shown) this.clear();
-    const path = shown && this.pathOf(shown, view.picture);
-    if (shown && path) this.placeGhost(shown, path, topLeft, bottomRight);
-    return true;
+    const isClear = this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
+    this.hint.hidden = step !== null && !isClear;
+    return !this.hint.hidden;
+  }
+
+  private comeBack(): void {
+    this.away = 0;
+    this.show();
   }
 
   private clear(): void {
@@ -65,18 +79,27 @@ export class Guide {
     this.ghost = null;
   }
 
-  /** What the ghost draws on this picture; null: it does not belong on it, or need not be shown again. */
-  private pathOf(
-    shown: Sample | Drawing,
-    { width, height, strokes }: NonNullable<ShellView['picture']>,
-  ): GhostPath | null {
-    if ('spine' in shown) return shown.width === width && shown.height === height ? shown : null;
-    if (shown === this.understood || strokes > 0) return null;
-    const side = Math.min(width, height);
-    return { width, height, spine: shown.map(([x, y]) => [width / 2 + x * side, height / 2 + y * side]) };
+  private showGhost({ picture, tool }: ShellView, step: Advised | null): void {
+    const hasPen = tool === 'pen' || tool === 'eraser';
+    const shown = this.sample ?? step?.example ?? null;
+    const path = picture && shown && this.away === 0 ? pathOf(shown, picture, hasPen) : null;
+    if (!picture || !shown || !path) {
+      this.clear();
+      return;
+    }
+    const d = `${path.spine}`;
+    if (this.ghost?.of !== shown || this.ghost.d !== d) this.clear();
+    const { topLeft, bottomRight } = picture;
+    const width = bottomRight.x - topLeft.x;
+    const ghost = this.ghost ? null : ghostHand(path, path.width / Math.max(1, width));
+    this.ghost ??= { element: ghost!.element, of: shown, d };
+    if (ghost) this.layer.append(ghost.element);
+    putOver(this.ghost.element, [topLeft.x, topLeft.y, width, bottomRight.y - topLeft.y]);
+    ghost?.play();
   }
 
-  private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): void {
+  /** True where it does not lie over the picture. */
+  private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): boolean {
     const box = byId('canvas');
     const unit = canvasUnit();
     const width = box.clientWidth / unit;
@@ -92,20 +115,20 @@ export class Guide {
     const below = bottomRight.y + kGap;
     const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight / unit;
     const y = fitsBelow ? below : kGap + strip;
+    const isClear = fitsBelow || y + offsetHeight <= topLeft.y;
     this.hint.style.transform = `translate(${canvasLength(Math.round(x))}, ${canvasLength(Math.round(y))})`;
+    return isClear;
   }
+}
 
-  private placeGhost(
-    of: Sample | Drawing,
-    path: GhostPath,
-    topLeft: { x: number; y: number },
-    bottomRight: { x: number; y: number },
-  ): void {
-    const width = bottomRight.x - topLeft.x;
-    const ghost = this.ghost ? null : ghostHand(path, path.width / Math.max(1, width));
-    this.ghost ??= { element: ghost!.element, of };
-    if (ghost) this.layer.append(ghost.element);
-    putOver(this.ghost.element, [topLeft.x, topLeft.y, width, bottomRight.y - topLeft.y]);
-    ghost?.play();
-  }
+/** What the ghost draws on this picture; null: it does not belong on it, or asks for another tool than the pen. */
+function pathOf(
+  shown: Sample | Example,
+  picture: NonNullable<ShellView['picture']>,
+  hasPen: boolean,
+): GhostPath | null {
+  const { width, height } = picture;
+  if ('spine' in shown) return shown.width === width && shown.height === height ? shown : null;
+  const spine = shown.on !== null && hasPen ? null : exampleOn(shown, picture);
+  return spine && { width, height, spine };
 }

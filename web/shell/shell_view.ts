@@ -16,13 +16,17 @@ export interface ShellView {
   /** The solid view was turned; the model was checked for printing as it is. */
   turned: boolean;
   checked: boolean;
-  /** The one in view, with its corners on the canvas; `finished`: something is drawn on it that a spine could go through. */
+  /**
+   * The one in view, with its corners on the canvas; `finished`: something is drawn on it that a spine could go through;
+   * `drawn`: left, top, right and bottom of the pen's lines on it, without any of the line of its first part.
+   */
   picture: {
     width: number;
     height: number;
     sketch: boolean;
     strokes: number;
     finished: boolean;
+    drawn: [left: number, top: number, right: number, bottom: number] | null;
     topLeft: { x: number; y: number };
     bottomRight: { x: number; y: number };
   } | null;

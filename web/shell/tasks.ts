@@ -1,12 +1,12 @@
 // Things to make, step by step: one sentence for each, and how the page sees that it is done.
 import type { ShellView } from './shell_view.ts';
-import { kBird, kBody, kMug, kSausage, kVase } from './task_drawings.ts';
-import type { Drawing } from './task_drawings.ts';
+import { kExamples } from './task_drawings.ts';
+import type { Example } from './task_drawings.ts';
 
 export interface TaskStep {
   say: string;
-  /** What the ghost hand shows on empty paper. */
-  drawing?: Drawing;
+  /** What the ghost hand shows until it is done; of several lines one after the other, as parts follow the first. */
+  examples?: Example[];
   /** The command that answers what the page asks on the way; whatever else it asks comes before the step. */
   answers?: string;
   /** Whether it is done, `now` as against how things were when the task began. */
@@ -44,7 +44,8 @@ const stick: TaskStep = { say: 'Press Stick under the list: the parts become one
 const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
 const turn: TaskStep = { say: 'Drag beside the solid to turn it round', done: turned };
 const scoop: TaskStep = { say: 'Press Scoop out, then Make it hollow', done: hollow, answers: 'hollow-use' };
-const outline = (say: string, drawing: Drawing): TaskStep => ({ say, done: outlined, drawing });
+const outline = (say: string, example: Example): TaskStep => ({ say, done: outlined, examples: [example] });
+const { sausage, vase, mug, bird, robot } = kExamples;
 
 /** What the first visit is led through after its first part. */
 export const kFirstVisit: TaskStep[] = [
@@ -63,8 +64,8 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a long sausage with the pen', kSausage),
-      { say: 'Draw a line from end to end', done: parts(1) },
+      outline('Draw the outline of a long sausage with the pen', sausage[0]),
+      { say: 'Draw a line from end to end', done: parts(1), examples: [sausage[1]] },
       turn,
       save,
     ],
@@ -76,8 +77,8 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a vase with the pen', kVase),
-      { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1) },
+      outline('Draw the outline of a vase with the pen', vase[0]),
+      { say: 'Draw a line down its middle, from the rim to the foot', done: parts(1), examples: [vase[1]] },
       scoop,
       turn,
       save,
@@ -90,10 +91,10 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a mug, without its handle, with the pen', kMug),
-      { say: 'Draw a line down its middle', done: parts(1) },
+      outline('Draw the outline of a mug, without its handle, with the pen', mug[0]),
+      { say: 'Draw a line down its middle', done: parts(1), examples: [mug[1]] },
       scoop,
-      { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2) },
+      { say: 'Draw a line for the handle, from the mug and back to it', done: parts(2), examples: [mug[2]] },
       { say: 'Press Stick: mug and handle become one', done: (now, start) => now.solids >= start.solids + 2 },
       save,
     ],
@@ -113,9 +114,9 @@ export const kTasks: Task[] = [
     on: 'paper',
     start: 'Begin with Draw on paper.',
     steps: [
-      outline('Draw the outline of a bird from the side with the pen', kBird),
+      outline('Draw the outline of a bird from the side with the pen', bird[0]),
       { say: 'Take Puff, tap the bird and press Use this: it swells', done: parts(1), answers: 'cut-use' },
-      { say: 'With Puff, draw a line round a wing on it', done: parts(2) },
+      { say: 'With Puff, draw a line round a wing on it', done: parts(2), examples: [bird[1]] },
       { say: 'Choose Symmetry: the wing comes on the other side, too', done: mirrored },
       stick,
       save,
@@ -129,9 +130,9 @@ export const kTasks: Task[] = [
     tool: 'draw',
     start: 'Begin with Draw on paper.',
     steps: [
-      { say: 'Draw a line for the body', done: parts(1), drawing: kBody },
+      { say: 'Draw a line for the body', done: parts(1), examples: [robot[0]] },
       { say: 'Choose the square as its slice', done: otherShape },
-      { say: 'Draw lines for head, arms and legs', done: parts(4) },
+      { say: 'Draw lines for head, arms and legs', done: parts(4), examples: robot.slice(1) },
       stick,
       { say: 'Choose Check for printing in More', done: (now) => now.checked },
       save,
