@@ -190,8 +190,11 @@ void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   if (part == nullptr || !part->mirror || env.ui().tool != app::ToolKind::Place || env.ui().solids.hollow) return;
   const double width = std::min(300.0, env.ui().layout.solid.width - 2 * kMargin);
   constexpr double kHeight = 66, kApart = 6;
-  const double y = atFoot ? bar.y - kApart - kHeight : bar.bottom() + kApart;
-  const app::Rect card{bar.right() - width, y, width, kHeight};
+  const app::Rect& beside = env.ui().solidButtons;
+  const double head = beside.width > 0 ? std::min(bar.y, beside.y) : bar.y;
+  const double y = atFoot ? head - kApart - kHeight : bar.bottom() + kApart;
+  const double left = std::max(env.ui().layout.solid.x + kMargin, bar.right() - width);
+  const app::Rect card{left, y, width, kHeight};
   env.ui().overlays.push_back(card);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);

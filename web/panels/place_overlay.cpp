@@ -14,8 +14,8 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr float kBriefShare = 0.9f;  // of the small font
-constexpr float kTail = 0.62f;       // of an arrow that is not drawn
+constexpr float kBriefShare = 0.92f;  // of the small font: between knobs there is little room
+constexpr float kTail = 0.62f;        // of an arrow that is not drawn
 constexpr std::array<ImU32, 3> kAxisColour = {rgb(0xd0412f), rgb(0x2f9a4b), rgb(0x2b62d9)};
 
 ImVec2 vec(app::ClientPoint p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }

@@ -37,7 +37,7 @@ void field(const PanelEnv& env, const Field& what, double value, float width) {
   ImFont* small = env.fonts.small;
   const float size = small->FontSize * ImGui::GetIO().FontGlobalScale;
   list.PushClipRect(at, {at.x + width, at.y + height}, true);
-  drawLine(list, {small, {at.x + 8, at.y + 4}, kMuted, 0.92f}, shortened(small, what.word, width - 12, 0.92f));
+  drawLine(list, {small, {at.x + 8, at.y + 4}, kMuted}, shortened(small, what.word, width - 12));
   drawLine(list, {small, {at.x + 8, at.y + height - size - 5}, kInk}, text);
   list.PopClipRect();
   ImGui::PopID();

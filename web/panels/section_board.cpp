@@ -68,9 +68,9 @@ void foldButton(const PanelEnv& env, Flow& flow, float side) {
   if (fold <= 1) return;
   const char text[] = {static_cast<char>('0' + fold), '\0'};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 badge{at.x + side - 9, at.y + side - 10};
-  list.AddCircleFilled(badge, 8, kAccent, 16);
-  list.AddText(env.fonts.small, 12.5f, {badge.x - 3.5f, badge.y - 7}, kOnAccent, text);
+  const ImVec2 badge{at.x + side - 9, at.y + side - 10}, extent = extentOf(env.fonts.small, text);
+  list.AddCircleFilled(badge, 9, kAccent, 16);
+  drawLine(list, {env.fonts.small, {badge.x - extent.x / 2, badge.y - extent.y / 2}, kOnAccent}, text);
 }
 
 void divider(Flow& flow, float side) {

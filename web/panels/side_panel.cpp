@@ -139,12 +139,17 @@ void column(const PanelEnv& env) {
 void tabs(const PanelEnv& env, float width) {
   const float height = env.ui().touch ? 44.f : 38.f;
   const ShortList<Tab> shown = tabsFor(env, selectedRegion(env));
-  const float each = std::min(width / static_cast<float>(shown.size()), 140.f);
+  const auto wordOf = [&](const Tab& tab) { return extentOf(env.fonts.bold, words::drawn(words::tr(tab.label))).x; };
+  const auto count = static_cast<float>(shown.size());
+  float beside = std::min(width, 140.f * count);  // what is left for each beside its word
+  for (const Tab& tab : shown) beside -= wordOf(tab);
+  beside /= count;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float each = wordOf(shown[i]) + beside;
     if (ImGui::InvisibleButton(shown[i].label, {each, height})) env.ui().tab = shown[i].tab;
     const bool on = env.ui().tab == shown[i].tab || shown.size() == 1;
     registerControl(env, app::Control::Kind::Tab, shown[i].label, true, on);

@@ -15,9 +15,9 @@ namespace spineloft::panels {
 namespace {
 
 constexpr float kDragSlop = 8;
-constexpr float kTileWords = 0.92f;  // of the small font
-constexpr float kWordHeight = 15;    // what a word below an icon takes
-constexpr double kTipRoom = 60;    // above a button, for the words about it
+constexpr float kWordHeight = 17;  // what a word below an icon takes
+constexpr float kBelowWord = 3;
+constexpr double kTipRoom = 60;  // above a button, for the words about it
 
 /// Where a line of this width begins: at the right side of its room where the language does.
 float lineStart(float left, float room, float width) {
@@ -249,14 +249,17 @@ std::string_view shortened(ImFont* font, Text what, float width, float share) {
   return words::kept(std::string(words::drawn(out)));
 }
 
-Fitted fitted(ImFont* font, Text what, float width, float share) {
-  constexpr float kLeast = 0.82f;  // of the size, rather than fewer words
-  const auto widthOf = [&](std::string_view text) { return extentOf(font, words::drawn(text), share).x; };
+Fitted fitted(ImFont* font, Text what, float width) {
+  // Rather smaller than fewer words, but no smaller than the smallest words of the DOM.
+  constexpr float kLeastEm = 11;
+  const float em = app::kTextEm * font->FontSize / ImGui::GetIO().FontDefault->FontSize;
+  const float least = std::min(1.f, kLeastEm / em);
+  const auto widthOf = [&](std::string_view text) { return extentOf(font, words::drawn(text)).x; };
   std::string_view text = what.given ? what.words : words::tr(what.words);
-  if (widthOf(text) * kLeast > width) text = text.substr(0, text.find_first_of(" -", 1));
-  const float wide = widthOf(text), scale = wide > width ? std::max(kLeast, width / wide) : 1;
-  if (wide * kLeast <= width) return {words::drawn(text), share * scale};
-  return {shortened(font, asIs(text), width, share * scale), share * scale};
+  if (widthOf(text) * least > width) text = text.substr(0, text.find_first_of(" -", 1));
+  const float wide = widthOf(text), scale = wide > width ? std::max(least, width / wide) : 1;
+  if (wide * least <= width) return {words::drawn(text), scale};
+  return {shortened(font, asIs(text), width, scale), scale};
 }
 
 void heading(const PanelEnv& env, Text text) {
@@ -270,7 +273,7 @@ namespace {
 /// A word in the middle of `width`, below an icon.
 void wordBelow(const PanelEnv& env, ImDrawList& list, Text text, ImVec2 at, float width, ImU32 colour) {
   ImFont* font = env.fonts.small;
-  const Fitted below = fitted(font, text, width - 4, kTileWords);
+  const Fitted below = fitted(font, text, width - 2);
   const ImVec2 extent = extentOf(font, below.text, below.share);
   const ImVec2 pen{std::round(at.x + (width - extent.x) / 2), at.y + kWordHeight - extent.y};
   drawLine(list, {font, pen, colour, below.share}, below.text);
@@ -295,7 +298,7 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
   const float size = font->FontSize * ImGui::GetIO().FontGlobalScale;
   const char* text = iconText(button.icon);
   const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, text);
-  const float room = button.below.empty() ? button.size : button.size - kWordHeight;
+  const float room = button.below.empty() ? button.size : button.size - kWordHeight - kBelowWord;
   list.AddText(font, size, {at.x + (extentOfAll.x - extent.x) / 2, at.y + (room - extent.y) / 2}, ink, text);
   if (!button.below.empty()) wordBelow(env, list, button.below, {at.x, at.y + room}, extentOfAll.x, ink);
   ImGui::EndDisabled();
@@ -304,11 +307,11 @@ bool iconButton(const PanelEnv& env, const IconButton& button) {
 }
 
 float commandButtonWidth(const PanelEnv& env, app::CommandId id) {
-  constexpr float kLeast = 44, kMost = 76;
-  return std::clamp(extentOf(env.fonts.small, shown(app::commandOf(id).label), kTileWords).x + 8, kLeast, kMost);
+  constexpr float kLeast = 44, kMost = 104;
+  return std::clamp(extentOf(env.fonts.small, shown(app::commandOf(id).label)).x + 8, kLeast, kMost);
 }
 
-float wordedHeight(const PanelEnv& env) { return env.ui().touch ? 50.f : 44.f; }
+float wordedHeight(const PanelEnv& env) { return env.ui().touch ? 51.f : 48.f; }
 
 void commandButton(const PanelEnv& env, app::CommandId id, float size, float width, ImU32 colour) {
   const app::Command& command = app::commandOf(id);
@@ -421,13 +424,14 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint) {
   list.AddRect({at.x + 0.5f, at.y + 0.5f}, {end.x - 0.5f, end.y - 0.5f}, tile.active ? kAccent : kLine, 8, 0,
                tile.active ? 1.6f : 1.f);
   const ImU32 ink = tile.active ? kAccent : kInk;
-  const float textHeight = tile.text.empty() ? 0 : 15.f;
+  const float textHeight = tile.text.empty() ? 0 : kWordHeight;
   const float room = tile.size.y - textHeight;
   const float radius = std::min(tile.size.x, room) * 0.5f - (tile.text.empty() ? 8.f : 7.f);
   paint(list, {at.x + tile.size.x / 2, at.y + room / 2 + (tile.text.empty() ? 0.f : 1.f)},
         std::max(6.f, std::min(radius, 19.f)), ink);
   if (!tile.text.empty()) {
-    wordBelow(env, list, tile.text, {at.x, end.y - 4 - kWordHeight}, tile.size.x, tile.active ? kAccent : kMuted);
+    wordBelow(env, list, tile.text, {at.x, end.y - kBelowWord - kWordHeight}, tile.size.x,
+              tile.active ? kAccent : kMuted);
   }
   tooltip(tile.tip);
   return pressed;

@@ -96,7 +96,7 @@ struct Fitted {
   std::string_view text;  ///< as it is drawn
   float share = 1;        ///< of the font's size
 };
-Fitted fitted(ImFont* font, Text text, float width, float share = 1);
+Fitted fitted(ImFont* font, Text text, float width);
 /// A small bold heading.
 void heading(const PanelEnv& env, Text text);
 

@@ -61,8 +61,9 @@ float lineInEm(const std::vector<std::uint8_t>& file) {
 const ImWchar kScriptRanges[] = {0x600,  0x6ff,  0x2000, 0x206f, 0x3000, 0x30ff, 0x4e00, 0x9fff,
                                  0xfb50, 0xfdff, 0xfe70, 0xfefc, 0xff00, 0xffef, 0};
 
-ImFont* addText(const platform::FontFiles& files, bool bold, float pixels) {
+ImFont* addText(const platform::FontFiles& files, bool bold, float em) {
   const std::vector<std::uint8_t>& file = bold ? files.bold : files.text;
+  const float pixels = em * lineInEm(file);
   const std::vector<std::uint8_t>& script = bold ? files.scriptBold : files.scriptText;
   ImFontConfig config;
   config.OversampleH = 2;
@@ -85,9 +86,9 @@ Fonts buildFonts(const platform::FontFiles& files, double dpr) {
   const float scale = static_cast<float>(std::max(1.0, dpr));
   io.Fonts->Clear();
   Fonts fonts;
-  fonts.text = addText(files, false, 14.5f * scale);
-  fonts.bold = addText(files, true, 14.5f * scale);
-  fonts.small = addText(files, false, 12.5f * scale);
+  fonts.text = addText(files, false, kTextEm * scale);
+  fonts.bold = addText(files, true, kTextEm * scale);
+  fonts.small = addText(files, false, kSmallEm * scale);
   fonts.icons = add(files.icons, 18.f * scale, iconRanges(), {});
   io.Fonts->Build();
   io.FontDefault = fonts.text;

@@ -8,10 +8,13 @@ struct ImFont;
 
 namespace spineloft::app {
 
+/// CSS pixels an em, as in the style sheet.
+inline constexpr float kTextEm = 13.5f, kSmallEm = 12;
+
 struct Fonts {
-  ImFont* text = nullptr;   ///< 14.5 CSS pixels
-  ImFont* bold = nullptr;   ///< 14.5, semibold
-  ImFont* small = nullptr;  ///< 12.5
+  ImFont* text = nullptr;   ///< kTextEm; ImGui's default
+  ImFont* bold = nullptr;   ///< kTextEm, semibold
+  ImFont* small = nullptr;  ///< kSmallEm
   ImFont* icons = nullptr;  ///< 18, icons alone
 };
 

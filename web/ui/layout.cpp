@@ -17,6 +17,8 @@ bool isStrip(double width, double height) {
   return width < kPanelWidthFrom && (stacked || height >= kLeastForStrip);
 }
 
+double panelWidth(double width) { return width < kPanelWidthFrom ? kLowPanelWidth : kPanelWidth; }
+
 }  // namespace
 
 Layout layoutFor(double width, double height, double share, bool hasPanel) {
@@ -31,8 +33,8 @@ Layout layoutFor(double width, double height, double share, bool hasPanel) {
     views.height = height - strip;
     out.panel = {0, views.height, width, strip};
   } else if (hasPanel) {
-    views.width = width - kPanelWidth;
-    out.panel = {views.width, 0, kPanelWidth, height};
+    views.width = width - panelWidth(width);
+    out.panel = {views.width, 0, panelWidth(width), height};
   }
   const double length = out.stacked ? views.height : views.width;
   const double first = std::round((length - kSplitter) * share);
@@ -75,8 +77,8 @@ Layout layoutWithBoard(double width, double height) {
   }
   double views = width;
   if (!out.strip) {
-    views -= kPanelWidth;
-    out.panel = {views, 0, kPanelWidth, height};
+    views -= panelWidth(width);
+    out.panel = {views, 0, panelWidth(width), height};
   }
   const double board = std::floor(views * kWideShare);
   out.picture = {0, 0, board, height};

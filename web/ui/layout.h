@@ -13,9 +13,9 @@ inline constexpr double kStackedWidth = 700;
 inline constexpr double kLowShape = 0.62;  ///< height over width under which a canvas is low
 /// From it on the panel stands at the right side; between the two it is a strip below the views.
 inline constexpr double kPanelWidthFrom = 1000;
-inline constexpr double kPanelWidth = 240;
-inline constexpr double kStripHeight = 152;      ///< with two rows of tiles
-inline constexpr double kFlatStripHeight = 130;  ///< with one, where the width allows
+inline constexpr double kPanelWidth = 272, kLowPanelWidth = 240;  ///< at the side; of a phone on its side
+inline constexpr double kStripHeight = 152;                       ///< with two rows of tiles
+inline constexpr double kFlatStripHeight = 130;                   ///< with one, where the width allows
 inline constexpr double kFlatStripFrom = 600;
 inline constexpr double kSplitter = 8;        ///< width of the bar between the views
 inline constexpr double kPicturesStrip = 60;  ///< what the strip of pictures takes

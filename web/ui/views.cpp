@@ -6,11 +6,13 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kButtonRoom = 64;  // CSS pixels at the side or foot of the view that buttons take
-constexpr double kTopRoom = 54;     // CSS pixels at the head of a tall view that buttons take
-constexpr double kTallView = 440;   // CSS pixels
-constexpr double kLowView = 290;    // CSS pixels
-constexpr double kFitMargin = 28;   // CSS pixels round a fitted picture
+constexpr double kButtonRoom = 64;  // CSS pixels at the side of the view that buttons take
+/// At its foot: of every row, with words and for fingers too, so that nothing moves under the first finger.
+constexpr double kRowRoom = 78;
+constexpr double kTopRoom = 54;    // CSS pixels at the head of a tall view that buttons take
+constexpr double kTallView = 440;  // CSS pixels
+constexpr double kLowView = 290;   // CSS pixels
+constexpr double kFitMargin = 28;  // CSS pixels round a fitted picture
 constexpr double kMinZoom = 0.01, kMaxZoom = 64;
 constexpr double kInSight = 48;  // CSS pixels of the picture that cannot be pushed out
 constexpr double kHomeYaw = 0.55, kHomePitch = 0.22;
@@ -35,7 +37,7 @@ PictureView fitPicture(image::Size picture, const Rect& view, double head, doubl
   Rect inner = view.inset(margin);
   // The options of the tools stand at the head of a tall view.
   head = std::max(view.height >= kTallView ? kTopRoom - margin : 0.0, head);
-  const double row = std::max(kButtonRoom, foot) - margin;
+  const double row = std::max(kRowRoom, foot) - margin;
   foot = 0;
   if (buttonsAtSide(view)) {
     left = std::clamp(left - margin, 0.0, inner.width / 3);

@@ -111,16 +111,16 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("words that fit when they are a little smaller are not shortened") {
+TEST_CASE("words that fit when they are a little smaller are not shortened, and none is smaller than 11 CSS pixels") {
   Rig rig;
   rig.openBar();
-  ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+  ImFont* font = ImGui::GetIO().FontDefault;
   const std::string_view words = "Half round";
   const float wide = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, words.data(), words.data() + words.size()).x;
   for (float share = 0.4f; share < 1.2f; share += 0.013f) {
     CAPTURE(share);
     const panels::Fitted fit = panels::fitted(font, panels::asIs(words), share * wide);
-    CHECK((fit.text == words) == (share >= 0.82f));
-    CHECK(fit.share >= 0.82f);
+    CHECK((fit.text == words) == (share >= 11 / app::kTextEm));
+    CHECK(fit.share * app::kTextEm > 10.999f);
   }
 }
