@@ -1,6 +1,6 @@
 """Writes the weights that the engine reads (engine/ribs/learned/network.h), and what its test compares with.
 
-export.py NET.pt assets/ribs-net.bin [--fixture tests/golden/ribs-net.fixture]
+export.py NET.pt… assets/ribs-net.bin [--fixture tests/golden/ribs-net.fixture]
 """
 import argparse
 import struct
@@ -59,13 +59,14 @@ def fixture(net, rows=16, levels=32):
 
 def main():
     p = argparse.ArgumentParser()
-    p.add_argument("net")
+    p.add_argument("nets", nargs="+", help="of several the mean; random: weights that nothing was trained on")
     p.add_argument("weights")
     p.add_argument("--fixture")
     a = p.parse_args()
     net = Net()
-    if a.net != "random":
-        net.load_state_dict(torch.load(a.net))
+    if a.nets != ["random"]:
+        states = [torch.load(path) for path in a.nets]
+        net.load_state_dict({key: sum(state[key] for state in states) / len(states) for key in states[0]})
     open(a.weights, "wb").write(weights_file(net))
     if a.fixture:
         open(a.fixture, "wb").write(fixture(net))

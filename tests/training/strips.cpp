@@ -30,7 +30,7 @@ struct Arguments {
   std::string folder, output;
   int jobs = 1;
   int redraws = 0;
-  int levels = 128;
+  int levels = ribs::RibParams{}.levels;
 };
 
 struct Record {

@@ -28,7 +28,7 @@ struct EvidenceParams {
 /// with more of them each counts for less, so that the part does not depend on their number. The defaults are the ones
 /// the benchmark measures.
 struct RibParams {
-  int levels = 128;               ///< K: labels of the dynamic programme, 16…512
+  int levels = 120;               ///< K: labels of the dynamic programme, 16…512
   double maxLevelShare = 0.5;     ///< largest d2 level as a share of the picture's diagonal, 0.01…1
   double neighbourWeight = 0.7;   ///< SpineLoft 3.3.2: 3 (on d2; ours compares arc lengths), 0…100
   double neighbourFreedom = 0.1;  ///< free slope between neighbours, SpineLoft 3.3.2: ¼ (on d2), 0…10

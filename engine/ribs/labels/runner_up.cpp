@@ -47,11 +47,11 @@ std::span<const RunnerUp> findRunnersUp(const RunnerUpRow& row, std::vector<Runn
     for (; place > 0 && memory[place - 1].marginal > rival.marginal; --place) memory[place] = memory[place - 1];
     memory[place] = rival;
   };
-  // Of every edge that the curve passes, the label that suits the chain best.
+  // Of every edge that the curve passes, the label that is nearest to it.
   int best = -1;
   for (int k = 1; k <= sizeOf(row); ++k) {
     const bool onEdge = k < sizeOf(row) && at(row.support, k) >= kLeastSupport;
-    if (onEdge && (best < 0 || at(row.marginal, k) < at(row.marginal, best))) best = k;
+    if (onEdge && (best < 0 || at(row.support, k) > at(row.support, best))) best = k;
     if (onEdge || best < 0) continue;
     if (at(row.marginal, best) <= most && apart(row, best, row.chosen)) add({best, at(row.marginal, best)});
     best = -1;
