@@ -24,6 +24,7 @@ void admit(Chord chord, const CapSite& site, const ChordLimits& limits, Cap& cap
     return;
   }
   if (!follows(last, chord, limits)) {
+    if (chord.width() > last.width()) return;  // it would lie on what leads to it
     const PicturePoint hair = normalized(forwardOf(last.across())) * (1.5 * limits.spacing);
     chord.left += hair;
     chord.right += hair;
