@@ -168,6 +168,20 @@ test('on a phone the words of a step are not over the paper: they stand in the l
     assert.ok(told.y >= canvas.y + canvas.height - 4, `${told.y} against ${canvas.y + canvas.height}`);
   }));
 
+test('on a phone no advice is over a photo: it stands in the line at the foot, and can be closed for good', () =>
+  onPage(kit, { ...kPhone, alone: true, firstVisit: true }, async (page) => {
+    await openPicture(page, tube.png, 'tube.png');
+    const hint = page.locator('#hint'),
+      coach = page.locator('#coach');
+    assert.match(await coach.innerText(), /Draw a line through the middle of the thing/);
+    assert.equal(await hint.isVisible(), false);
+    await page.locator('#coach-close').click();
+    await run(page, 'puff');
+    await run(page, 'draw');
+    assert.equal(await coach.isVisible(), false);
+    assert.equal(await hint.isVisible(), false);
+  }));
+
 test('Home shows the start page and keeps the model; Help tells and begins', () =>
   onPage(kit, { alone: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

@@ -405,6 +405,11 @@ void drawPictureOverlay(const PanelEnv& env) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  const document::PictureEntry* picture = document::findPicture(env.document(), env.ui().picture);
+  if (tellsByFrames() && picture != nullptr) {
+    const PicturePoint far{static_cast<double>(picture->size.width), static_cast<double>(picture->size.height)};
+    list.AddRect(onCanvas(env.ui(), {0, 0}), onCanvas(env.ui(), far), kLine);
+  }
   if (env.ui().tool == app::ToolKind::Ignore) drawMarks(list, env);
   drawParts(list, env);
   drawBones(env);

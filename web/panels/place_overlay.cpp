@@ -1,9 +1,10 @@
 // The gizmo of the parts in hand: arrows, rings, and knobs for depth and size.
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "web/edit/gizmo.h"
 #include "web/edit/placing.h"
@@ -60,17 +61,46 @@ void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const 
   list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kHalo : colour, icon);
 }
 
-/// The word below a knob, for fingers: no pointer rests on it to be told.
-void brief(const PanelEnv& env, ImDrawList& list, const app::Gizmo::Knob& one) {
-  const std::string_view text = shown(app::handleBrief(one.handle));
-  if (text.empty()) return;
-  const ImVec2 extent = extentOf(env.fonts.small, text, kBriefShare);
+/// A word of a knob with its ground, from its left upper corner.
+struct Brief {
+  std::string_view text;
+  ImVec2 low, high;
+  bool meets(ImVec2 otherLow, ImVec2 otherHigh) const {
+    return low.x < otherHigh.x && otherLow.x < high.x && low.y < otherHigh.y && otherLow.y < high.y;
+  }
+};
+
+/// The words of the knobs, for fingers: no pointer rests on them to be told. Each stands below its knob, or above it
+/// where another word or knob is below; where both are taken it is left out.
+void briefs(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo) {
   const app::Rect& view = env.ui().layout.solid;
-  const float x = std::clamp(static_cast<float>(one.at.x) - extent.x / 2, static_cast<float>(view.x) + 4,
-                             static_cast<float>(view.right()) - extent.x - 4);
-  const float y = static_cast<float>(one.at.y + app::knobRadius(env.ui())) + 2;
-  list.AddRectFilled({x - 3, y - 1}, {x + extent.x + 3, y + extent.y + 1}, faded(kSurface, 215), 5);
-  drawLine(list, {env.fonts.small, {x, y}, kInk, kBriefShare}, text);
+  const float radius = static_cast<float>(app::knobRadius(env.ui()));
+  std::array<Brief, 5> placed;  // turned three ways, nearer, larger
+  std::size_t count = 0;
+  const auto isFree = [&](const Brief& word, app::GizmoHandle own) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (word.meets(placed[i].low, placed[i].high)) return false;
+    }
+    return std::ranges::none_of(gizmo.knobs, [&](const app::Gizmo::Knob& knob) {
+      const ImVec2 at = vec(knob.at);
+      return knob.handle != own && word.meets({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius});
+    });
+  };
+  for (const app::Gizmo::Knob& one : gizmo.knobs) {
+    const std::string_view text = shown(app::handleBrief(one.handle));
+    if (text.empty() || count == placed.size()) continue;
+    const ImVec2 extent = extentOf(env.fonts.small, text, kBriefShare), at = vec(one.at);
+    const float x = std::clamp(at.x - extent.x / 2, static_cast<float>(view.x) + 4,
+                               static_cast<float>(view.right()) - extent.x - 4);
+    for (const float y : {at.y + radius + 2, at.y - radius - 2 - extent.y}) {
+      const Brief word{text, {x - 3, y - 1}, {x + extent.x + 3, y + extent.y + 1}};
+      if (!isFree(word, one.handle)) continue;
+      list.AddRectFilled(word.low, word.high, faded(kSurface, 215), 5);
+      drawLine(list, {env.fonts.small, {x, y}, kInk, kBriefShare}, text);
+      placed[count++] = word;
+      break;
+    }
+  }
 }
 
 /// What the handle under the pointer does, beside the gizmo.
@@ -123,9 +153,9 @@ void drawPlaceOverlay(const PanelEnv& env) {
                                 : one.handle == app::GizmoHandle::Depth ? depthIcon
                                                                         : moveIcon;
       knob(env, list, vec(one.at), colour, icon.c_str(), lit);
-      if (ui.touch && !holding) brief(env, list, one);
     }
   }
+  if (ui.touch && !holding) briefs(env, list, *gizmo);
   words(env, list, *gizmo, hot);
   list.PopClipRect();
 }

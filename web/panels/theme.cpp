@@ -40,6 +40,7 @@ void applyTheme(const platform::Palette& palette) {
   style.WindowBorderSize = 0;
   style.ChildBorderSize = 0;
   style.PopupBorderSize = 1;
+  style.FrameBorderSize = tellsByFrames() ? 1 : 0;
   style.WindowPadding = {12, 10};
   style.FramePadding = {10, 8};
   style.ItemSpacing = {6, 6};

@@ -1,5 +1,5 @@
-// What to do next, one sentence in the status line: the first visit's steps, or those of a task that Help began. It can be
-// closed for good, and is silent while the page asks something.
+// What to do next, one sentence in the status line: the first visit's steps, those of a task that Help began, or advice that
+// has no room beside the picture. It can be closed for good, and is silent while the page asks something.
 import type { Command } from './api.ts';
 import { byId } from './dom.ts';
 import { icon } from './icons.ts';
@@ -70,7 +70,7 @@ export class Coach {
 
   /** Tells this in the status line; null: nothing is to be told there. */
   tell(step: Advised | null): void {
-    this.isTold = step !== null;
+    this.isTold = step !== null && this.isWanted;
     if (step && this.words.textContent !== step.words) this.words.textContent = step.words;
     this.show();
   }

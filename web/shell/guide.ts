@@ -52,21 +52,21 @@ export class Guide {
 
   /**
    * Follows the picture: advice while there is no part, the ghost hand in every step that has something to draw. A step of a
-   * task takes the place of the usual advice, where there is room beside the picture. True where the advice is shown.
+   * task takes the place of the usual advice. What is left to be told elsewhere: words that would lie over the picture, and
+   * steps that come after the first part.
    */
-  update(view: ShellView, step: Advised | null): boolean {
+  update(view: ShellView, step: Advised | null): Advised | null {
     if (!view.picture || view.parts > 0) this.sample = null;
     this.show = () => this.showGhost(view, step);
     this.show();
     const advice = adviceFor(view);
     this.hint.hidden = advice === '';
-    if (advice === '' || !view.picture) return false;
-    const words = step?.words ?? t(advice);
-    if (this.hint.textContent !== words) this.hint.textContent = words;
+    if (advice === '' || !view.picture) return step;
+    const told = step ?? { words: t(advice), example: null };
+    if (this.hint.textContent !== told.words) this.hint.textContent = told.words;
     const { topLeft, bottomRight } = view.picture;
-    const isClear = this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
-    this.hint.hidden = step !== null && !isClear;
-    return !this.hint.hidden;
+    this.hint.hidden = !this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
+    return this.hint.hidden ? told : null;
   }
 
   private comeBack(): void {

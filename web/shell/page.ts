@@ -543,8 +543,7 @@ export class Page {
     const commands = commandsNow(this.table, view);
     this.tools.see(commands.find(({ id }) => id === 'more-tools')?.toggled === true);
     this.bar.update(commands);
-    const step = this.coach.next(view, commands);
-    this.coach.tell(this.guide.update(view, step) ? null : step);
+    this.coach.tell(this.guide.update(view, this.coach.next(view, commands)));
     byId('status-end').textContent = hasPicture ? summary(view) : '';
     this.showProgress();
   }
