@@ -266,7 +266,7 @@ TEST_CASE("curves in rows, linked each with its neighbours, are one piece withou
     CHECK(report.shells == 1);
     through += mesh::selfCrossing(mesh).has_value();
   }
-  CHECK(through <= all / 30);
+  CHECK(through <= all / 25);
 }
 
 TEST_CASE("a link that is cut leaves a curve that ends, and one that is wanted joins curves far from each other") {
