@@ -88,6 +88,35 @@ test('a slice is dragged out of the panel onto the part; Escape leaves it where 
     assert.deepEqual([(await slices()).length, (await state(page)).undo], [1, undo]);
   }));
 
+test('a slice is dropped on the part also where no frame is drawn between the panel and the release', () =>
+  withPart({}, async (page) => {
+    const [onBone] = await toClient(page, [tube.middle[Math.floor(tube.middle.length / 2)]]);
+    const tile = await placeOf(page, 'Star');
+    await page.evaluate(
+      ([from, to]) => {
+        const send = (type, at, buttons) =>
+          document.getElementById('canvas').dispatchEvent(
+            new PointerEvent(type, {
+              ...{ bubbles: true, cancelable: true, pointerId: 1, pointerType: 'mouse', isPrimary: true },
+              ...{ clientX: at.x, clientY: at.y, button: type === 'pointermove' ? -1 : 0, buttons },
+            }),
+          );
+        send('pointermove', from, 0);
+        send('pointerdown', from, 1);
+        send('pointermove', { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 }, 1);
+        send('pointermove', to, 1);
+        send('pointerup', to, 0);
+      },
+      [tile, onBone],
+    );
+    await idle(page);
+    const { slices } = (await state(page)).parts[0];
+    assert.deepEqual(
+      slices.map(({ section }) => section),
+      ['circle', 'star', 'circle'],
+    );
+  }));
+
 /** Genus over all meshes of a GLB, from the Euler number of its triangles; corners in one place are one. */
 function genusOf(glb) {
   const json = JSON.parse(glb.toString('utf8', 20, 20 + glb.readUInt32LE(12)));

@@ -382,8 +382,8 @@ void App::wheel(const platform::WheelEvent& event) {
 /// What is in hand, on the views or on its way out of a panel, goes back to where it came from.
 void App::drop() {
   gestures_.cancel(toolEnv());
-  if (!ui_.sections.carried) return;
   ui_.sections.pressed.reset();
+  if (!ui_.sections.carried) return;
   ui_.sections.carried.reset();
   ui_.sections.marked.reset();
 }

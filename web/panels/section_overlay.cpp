@@ -32,6 +32,11 @@ void carriedTile(const PanelEnv& env) {
   if (!sections.pressed) return;
   const app::ClientPoint at{io.MousePos.x, io.MousePos.y};
   const bool known = io.MousePos.x > -1e6f;
+  // Also in the frame of its release: a slow machine may draw none while it is out of the panel.
+  if (known && !sections.board && (sections.carried || !env.ui().layout.panel.contains(at))) {
+    sections.carried = sections.pressed;
+    sections.carriedTo = at;
+  }
   if (!ImGui::IsMouseDown(0)) {
     if (sections.carried) {
       const app::DropPlace place = app::dropPlace(env.document(), env.derived, env.ui(), sections.carriedTo);
@@ -44,10 +49,7 @@ void carriedTile(const PanelEnv& env) {
     sections.carried.reset();
     return;
   }
-  if (!known || sections.board) return;
-  if (!sections.carried && env.ui().layout.panel.contains(at)) return;
-  sections.carried = sections.pressed;
-  sections.carriedTo = at;
+  if (!known || !sections.carried) return;
   const app::DropPlace place = app::dropPlace(env.document(), env.derived, env.ui(), at);
   sections.marked = place.part && place.part == env.ui().selection ? std::optional(place.at) : std::nullopt;
   handle(*ImGui::GetForegroundDrawList(), toVec(at), *sections.carried, static_cast<bool>(place.part), 20);
