@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -61,42 +62,44 @@ void knob(const PanelEnv& env, ImDrawList& list, ImVec2 at, ImU32 colour, const 
   list.AddText(font, size, {at.x - extent.x / 2, at.y - extent.y / 2}, hot ? kHalo : colour, icon);
 }
 
-/// A word of a knob with its ground, from its left upper corner.
-struct Brief {
-  std::string_view text;
-  ImVec2 low, high;
-  bool meets(ImVec2 otherLow, ImVec2 otherHigh) const {
-    return low.x < otherHigh.x && otherLow.x < high.x && low.y < otherHigh.y && otherLow.y < high.y;
-  }
-};
-
-/// The words of the knobs, for fingers: no pointer rests on them to be told. Each stands below its knob, or above it
-/// where another word or knob is below; where both are taken it is left out.
+/// The words of the knobs, for fingers: no pointer rests on them to be told. Each stands below its knob, or above or
+/// beside it where something else is; where all is taken it is left out.
 void briefs(const PanelEnv& env, ImDrawList& list, const app::Gizmo& gizmo) {
-  const app::Rect& view = env.ui().layout.solid;
-  const float radius = static_cast<float>(app::knobRadius(env.ui()));
-  std::array<Brief, 5> placed;  // turned three ways, nearer, larger
+  const app::UiState& ui = env.ui();
+  const app::Rect& view = ui.layout.solid;
+  const double radius = app::knobRadius(ui);
+  std::array<app::Rect, 5> placed;  // turned three ways, nearer, larger
   std::size_t count = 0;
-  const auto isFree = [&](const Brief& word, app::GizmoHandle own) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (word.meets(placed[i].low, placed[i].high)) return false;
-    }
-    return std::ranges::none_of(gizmo.knobs, [&](const app::Gizmo::Knob& knob) {
-      const ImVec2 at = vec(knob.at);
-      return knob.handle != own && word.meets({at.x - radius, at.y - radius}, {at.x + radius, at.y + radius});
-    });
+  const auto isFree = [&](const app::Rect& word, app::GizmoHandle own) {
+    const auto isClearOf = [&](const app::Rect& other) { return !word.meets(other); };
+    return view.contains({word.x, word.y}) && view.contains({word.right(), word.bottom()}) &&
+           std::ranges::all_of(std::span(placed).first(count), isClearOf) &&
+           std::ranges::all_of(ui.overlays, isClearOf) &&
+           std::ranges::all_of(ui.controls,
+                               [&](const app::Control& control) {
+                                 return control.kind != app::Control::Kind::Words || isClearOf(control.at);
+                               }) &&
+           std::ranges::all_of(gizmo.knobs, [&](const app::Gizmo::Knob& knob) {
+             return knob.handle == own || isClearOf(app::Rect{knob.at.x, knob.at.y, 0, 0}.inset(-radius));
+           });
   };
   for (const app::Gizmo::Knob& one : gizmo.knobs) {
     const std::string_view text = shown(app::handleBrief(one.handle));
     if (text.empty() || count == placed.size()) continue;
-    const ImVec2 extent = extentOf(env.fonts.small, text, kBriefShare), at = vec(one.at);
-    const float x = std::clamp(at.x - extent.x / 2, static_cast<float>(view.x) + 4,
-                               static_cast<float>(view.right()) - extent.x - 4);
-    for (const float y : {at.y + radius + 2, at.y - radius - 2 - extent.y}) {
-      const Brief word{text, {x - 3, y - 1}, {x + extent.x + 3, y + extent.y + 1}};
+    const ImVec2 extent = extentOf(env.fonts.small, text, kBriefShare);
+    const double width = extent.x + 6, height = extent.y + 2;
+    const double across = std::clamp(one.at.x - width / 2, view.x + 1, view.right() - width - 1);
+    const double level = one.at.y - height / 2, away = radius + 2;
+    for (const app::ClientPoint at : {app::ClientPoint{across, one.at.y + away - 1},
+                                      {across, one.at.y - away + 1 - height},
+                                      {one.at.x + away, level},
+                                      {one.at.x - away - width, level}}) {
+      const app::Rect word{at.x, at.y, width, height};
       if (!isFree(word, one.handle)) continue;
-      list.AddRectFilled(word.low, word.high, faded(kSurface, 215), 5);
-      drawLine(list, {env.fonts.small, {x, y}, kInk, kBriefShare}, text);
+      const ImVec2 low = vec(at);
+      list.AddRectFilled(low, {low.x + static_cast<float>(width), low.y + static_cast<float>(height)},
+                         faded(kSurface, 215), 5);
+      drawLine(list, {env.fonts.small, {low.x + 3, low.y + 1}, kInk, kBriefShare}, text);
       placed[count++] = word;
       break;
     }

@@ -401,10 +401,10 @@ void draw(const PanelEnv& env) {
   drawScale(env);
   drawFailureInSolid(env);
   drawHollowOverlay(env);
-  drawPlaceOverlay(env);
   drawViewChrome(env);
   drawSketchBar(env);
   drawEditBar(env);
+  drawPlaceOverlay(env);
   drawHints(env);
   env.ui().solidRoom = app::roomBeside(env.ui().layout.solid, env.ui().overlays);
   drawSidePanel(env);
