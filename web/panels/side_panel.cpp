@@ -168,16 +168,17 @@ void tabs(const PanelEnv& env, float width) {
 
 /// A list in a strip is scrolled: what can be made of its parts stays in sight beside it.
 void partsInStrip(const PanelEnv& env, float width) {
-  constexpr float kCell = 54, kGap = 8;
+  constexpr float kCell = 64, kGap = 8;
   if (!hasSolidTiles(env)) return partList(env, false);
   const int columns = width < static_cast<float>(app::kFlatStripFrom) ? 2 : 4;
   const float tiles = static_cast<float>(columns) * (kCell + 4) - 4;
-  ImGui::BeginChild("list", {width - tiles - kGap, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  const float room = tiles + ImGui::GetStyle().ScrollbarSize;
+  ImGui::BeginChild("list", {width - room - kGap, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   partList(env, false);
   if (!env.ui().listDrag) dragScroll();
   ImGui::EndChild();
   ImGui::SameLine(0, kGap);
-  ImGui::BeginChild("tiles", {tiles, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  ImGui::BeginChild("tiles", {room, 0}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   solidTiles(env, tiles, columns);
   dragScroll();
   ImGui::EndChild();
