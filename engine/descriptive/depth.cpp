@@ -45,7 +45,8 @@ class Program {
       }
     }
     for (const Tie& tie : input.ties) {
-      addSquare(difference(termsOf(tie.one), termsOf(tie.other)), kTieWeight * tie.weight, 0);
+      addSquare(difference(termsOf(tie.one), termsOf(tie.other)), kTieWeight * tie.weight,
+                riseOf(tie.other) - riseOf(tie.one));
     }
     pull();
   }
@@ -60,7 +61,7 @@ class Program {
     for (const DepthPin& pin : input_.pins) {
       if (pinsGiveWay_) break;
       made_.push_back(kPin);
-      program.rows.push_back({termsOf(pin.at), pin.depth, kPin, true});
+      program.rows.push_back({termsOf(pin.at), pin.depth - riseOf(pin.at), kPin, true});
     }
     std::vector<std::uint32_t> start;
     for (const std::uint32_t row : binding_) {
@@ -74,7 +75,7 @@ class Program {
     if (!solved && !input_.pins.empty() && !pinsGiveWay_) {
       // Pins that cannot all hold exactly hold as well as they can.
       pinsGiveWay_ = true;
-      for (const DepthPin& pin : input_.pins) addSquare(termsOf(pin.at), kPinWeight, pin.depth);
+      for (const DepthPin& pin : input_.pins) addSquare(termsOf(pin.at), kPinWeight, pin.depth - riseOf(pin.at));
       binding_.clear();
       return solve(depths);
     }
@@ -95,6 +96,11 @@ class Program {
   std::vector<QpTerm> termsOf(const PiecePlace& place) const {
     const double whole = 1;
     return input_.patches[place.piece].depthOf({&place.at, 1}, {&whole, 1}, offsets_[place.piece]);
+  }
+  double riseOf(const PiecePlace& place) const { return input_.patches[place.piece].riseAt(place.at); }
+  /// What its terms are at least.
+  double leastOfTerms(const OrderRow& row, std::span<const PieceDepth> depths) const {
+    return leastOf(row, depths) - riseOf(row.a) + riseOf(row.b);
   }
   /// weight · (Σ terms − target)².
   void addSquare(const std::vector<QpTerm>& terms, double weight, double target) {
@@ -129,7 +135,7 @@ class Program {
     std::vector<double> linear = qp_.linear, distance(apart_.size(), 0.0);
     for (const OrderRow& row : rows_) {
       if (input_.orders.orders[row.overlap].kind == OrderKind::Inside) continue;
-      distance[row.overlap] = std::max(distance[row.overlap], leastOf(row, depths));
+      distance[row.overlap] = std::max(distance[row.overlap], leastOfTerms(row, depths));
     }
     for (std::size_t k = 0; k < apart_.size(); ++k) {
       for (const QpTerm& term : apart_[k]) linear[term.unknown] -= distance[k] * term.value;
@@ -139,7 +145,7 @@ class Program {
   QpRow make(std::uint32_t row, std::span<const PieceDepth> depths) {
     made_.push_back(row);
     const OrderRow& one = rows_[row];
-    return {difference(termsOf(one.a), termsOf(one.b)), leastOf(one, depths), one.overlap, false};
+    return {difference(termsOf(one.a), termsOf(one.b)), leastOfTerms(one, depths), one.overlap, false};
   }
   /// The worst of each kind in each overlap.
   std::vector<QpRow> broken(std::span<const double> z, std::span<const PieceDepth> depths) {
@@ -182,7 +188,9 @@ void setThickness(const Patch& patch, const Piece& piece, const DepthScale& scal
   depth.back.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double tilt = std::min(kMostTilt, std::sqrt(1 + slopes[i] * slopes[i]));
-    if (piece.kind == PieceKind::Flat) {
+    if (patch.faced() != nullptr) {
+      depth.front[i] = depth.back[i] = patch.halfThick()[i];
+    } else if (piece.kind == PieceKind::Flat) {
       const double thickness = piece.thickness > 0 ? piece.thickness / scale.size : kThickness;
       depth.front[i] = depth.back[i] = thickness / 2 * tilt;
     } else if (i >= patch.mesh().rim()) {

@@ -43,10 +43,11 @@ using Outline = std::vector<Run>;
 enum class PieceKind : std::uint8_t {
   Round,  ///< swollen over its outline: a circle becomes a ball
   Flat,   ///< a plane with a thickness
+  Solid,  ///< between plane faces: its outlines are those of its faces, counter-clockwise seen from outside (y up)
   kCount
 };
 
-/// One solid of the drawing: what its outlines enclose by even-odd.
+/// One solid of the drawing: what its outlines enclose by even-odd; of kind Solid the faces round it.
 struct Piece {
   std::string name;
   PieceKind kind = PieceKind::Round;
@@ -86,5 +87,12 @@ inline constexpr double kLeastStiffness = 0.1, kMostStiffness = 1000;
 inline constexpr double kLeastFront = -2, kMostFront = 4;
 inline constexpr double kThickness = 0.02;  ///< of a flat piece, as a share of the drawing's size
 inline constexpr std::size_t kMostLines = 500, kMostPieces = 200, kMostLinePoints = 100000;
+
+/// How the unknowns and lengths of a drawing are scaled: depths and places are shares of its size, y up.
+struct DepthScale {
+  PicturePoint middle;  ///< pixels
+  double size = 1;      ///< pixels
+  SectionPoint of(PicturePoint p) const { return {(p.x - middle.x) / size, -(p.y - middle.y) / size}; }
+};
 
 }  // namespace spineloft::descriptive

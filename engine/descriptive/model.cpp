@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/descriptive/solids.h"
+#include "engine/descriptive/wireframe.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -51,7 +52,13 @@ class Maker {
   Maker(const Drawing& drawing, const ModelOptions& options) : drawing_(drawing), options_(options) {}
 
   Result<Model> make() {
-    Result<std::vector<MeasuredLine>> lines = meetingLines(drawing_.lines);
+    std::vector<Line> drawn = drawing_.lines;
+    if (drawing_.pieces.empty()) {
+      Result<std::vector<Line>> missing = missingEdges(drawn);
+      if (!missing) return missing.failure();
+      drawn.insert(drawn.end(), missing.value().begin(), missing.value().end());
+    }
+    Result<std::vector<MeasuredLine>> lines = meetingLines(drawn);
     if (!lines) return lines.failure();
     lines_ = std::move(lines).value();
     model_.size = sizeOf(drawing_.lines);
@@ -82,11 +89,7 @@ class Maker {
   Status choosePieces() {
     model_.pieces = drawing_.pieces;
     if (model_.pieces.empty()) {
-      for (Outline& outline : proposeOutlines(lines_, model_.nodes)) {
-        Piece piece;
-        piece.outlines = {std::move(outline)};
-        model_.pieces.push_back(std::move(piece));
-      }
+      model_.pieces = proposePieces(lines_, model_.nodes, model_.size);
     }
     if (model_.pieces.size() > kMostPieces || !isSound(drawing_, model_.pieces.size())) return Error::ValueOutOfRange;
     for (std::size_t i = 0; i < model_.pieces.size(); ++i) {
@@ -115,7 +118,7 @@ class Maker {
     }
     scale_ = {(low + high) / 2, model_.size};
     for (std::uint32_t i = 0; i < model_.pieces.size(); ++i) {
-      Result<Sheet> sheet = sheetOf(lines_, model_.pieces[i], drawing_.size);
+      Result<Sheet> sheet = sheetOf(lines_, model_.pieces[i], model_.size, drawing_.size);
       if (!sheet) {
         model_.lost.push_back({i, sheet.failure()});
         continue;
@@ -127,7 +130,7 @@ class Maker {
       for (const Pin& pin : drawing_.pins) {
         if (holdsPlace(model_.pieces[i], pin.at)) kept.others.push_back(lines_[pin.at.line].at(pin.at.share));
       }
-      Result<Patch> patch = Patch::make(sheet.value(), model_.pieces[i], kept, scale_, options_.points);
+      Result<Patch> patch = patchOf(sheet.value(), model_.pieces[i], kept);
       if (!patch) {
         model_.lost.push_back({i, patch.failure()});
         continue;
@@ -137,6 +140,14 @@ class Maker {
       sheets_.push_back(std::move(sheet).value());
       patches_.push_back(std::move(patch).value());
     }
+  }
+  Result<Patch> patchOf(const Sheet& sheet, const Piece& piece, const Patch::Kept& kept) const {
+    if (piece.kind != PieceKind::Solid) return Patch::make(sheet, piece, kept, scale_, options_.points);
+    const Result<Wireframe> wireframe = wireframeOf(lines_, piece.outlines, model_.size);
+    if (!wireframe) return wireframe.failure();
+    const Result<FacedSolid> faced = squared(wireframe.value(), scale_);
+    if (!faced) return faced.failure();
+    return Patch::make(faced.value(), scale_);
   }
   /// The corner of a piece's rim that is nearest to a place.
   PiecePlace rimAt(std::uint32_t piece, PicturePoint p) const {
@@ -204,6 +215,7 @@ class Maker {
     model_.depth = depths.stats;
   }
   double offPlane(const Patch& patch, const PieceDepth& depth) const {
+    if (patch.faced() != nullptr) return patch.faced()->offPlane;
     const auto n = static_cast<Eigen::Index>(patch.mesh().rim());
     Eigen::MatrixXd plane(n, 3);
     Eigen::VectorXd z(n);

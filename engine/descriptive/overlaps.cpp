@@ -5,13 +5,22 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "engine/descriptive/wireframe.h"
 
 namespace spineloft::descriptive {
 
-Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, image::Size board) {
+Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, double size, image::Size board) {
   Sheet sheet;
   geometry::Contours drawn;
-  for (const Outline& outline : piece.outlines) {
+  std::vector<Outline> outlines = piece.outlines;
+  if (piece.kind == PieceKind::Solid) {
+    Result<Outline> silhouette = silhouetteOf(lines, piece.outlines, size);
+    if (!silhouette) return silhouette.failure();
+    outlines = {std::move(silhouette).value()};
+  }
+  for (const Outline& outline : outlines) {
     Result<OutlinePath> path = pathOf(lines, outline);
     if (!path) return path.failure();
     drawn.push_back(path.value().points);

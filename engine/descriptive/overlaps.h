@@ -20,9 +20,9 @@ struct Sheet {
   std::vector<OutlinePath> outlines;  ///< as drawn
 };
 
-/// What the outlines of a piece enclose by even-odd, made simple, within the board. Errors: those of pathOf and
-/// geometry::cleanRegion.
-Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, image::Size board);
+/// What the outlines of a piece enclose by even-odd, made simple, within the board; of kind Solid what its silhouette
+/// does. `size`: sizeOf. Errors: those of pathOf, silhouetteOf and geometry::cleanRegion.
+Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, double size, image::Size board);
 
 /// A place where two pieces overlap: cells at most one other cell away from each other.
 struct Overlap {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "engine/descriptive/planarity.h"
@@ -19,6 +21,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// Points along the edges of plane faces are nearer to each other than this, a share of the size.
+constexpr double kFacedStep = 0.04;
 /// A corner of the outline that is a control point, radians of turn.
 constexpr double kControlCorner = 0.7;
 
@@ -135,6 +139,8 @@ struct Patch::Parts {
   std::vector<Between> rim;                            ///< of a round piece, by corner
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> inside;  ///< of L_II
   Sparse across;                                       ///< −L_IB
+  std::optional<FacedSolid> faced;
+  std::vector<double> rise, halfThick;  ///< by point, of one between plane faces
 
   SectionPoint planeAt(std::uint32_t point) const {
     const SectionPoint p = mesh.points()[point];
@@ -142,6 +148,7 @@ struct Patch::Parts {
   }
   /// What the coefficients of the plane stand for: 1, and x and y from the middle of the piece over its radius.
   Eigen::Vector3d planeTerms(SectionPoint pixel) const {
+    if (faced) return {0, 0, 1};
     const SectionPoint p = scale.of({pixel.x, -pixel.y}) - middle;
     return {p.x / radius, p.y / radius, 1};
   }
@@ -293,9 +300,156 @@ Result<Patch> Patch::make(const Sheet& sheet, const Piece& piece, const Kept& ke
   return Patch(std::move(parts));
 }
 
+namespace {
+
+/// The faces that are seen from the front, or those seen from behind, over a plane.
+class Cover {
+ public:
+  Cover(const FacedSolid& solid, bool front) {
+    for (const Wireframe::Face& face : solid.faces) {
+      Face one;
+      ModelPoint normal{};
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const ModelPoint a = solid.corners[face[i]], b = solid.corners[face[(i + 1) % face.size()]];
+        one.outline.push_back({a.x, a.y});
+        normal += cross(a, b);
+        one.at += a / static_cast<double>(face.size());
+      }
+      if ((normal.z > 0) != front || normal.z == 0) continue;
+      one.slope = {-normal.x / normal.z, -normal.y / normal.z};
+      faces_.push_back(std::move(one));
+    }
+  }
+  bool empty() const { return faces_.empty(); }
+  /// The height of the face over p, or of the nearest one.
+  double at(SectionPoint p) const {
+    const Face* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Face& face : faces_) {
+      double away = std::numeric_limits<double>::infinity();
+      const std::size_t n = face.outline.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        away = std::min(away, geometry::distanceToSegment(p, face.outline[i], face.outline[(i + 1) % n]));
+      }
+      if (geometry::holds(std::span<const SectionPoint>(face.outline), p)) away = -away;
+      if (away >= least) continue;
+      least = away;
+      best = &face;
+    }
+    return best->at.z + dot(best->slope, p - SectionPoint{best->at.x, best->at.y});
+  }
+
+ private:
+  struct Face {
+    std::vector<SectionPoint> outline;
+    ModelPoint at{};
+    SectionPoint slope;
+  };
+  std::vector<Face> faces_;
+};
+
+/// The edges of faces seen from the front: those of its outline, as a cycle of corners, and those inside; and those
+/// inside that are seen from behind.
+struct SeenEdges {
+  std::vector<std::uint32_t> outline;
+  std::vector<std::array<std::uint32_t, 2>> inside, behind;
+};
+SeenEdges seenEdges(const FacedSolid& solid) {
+  std::set<std::array<std::uint32_t, 2>> front, back;
+  for (const Wireframe::Face& face : solid.faces) {
+    double area = 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const ModelPoint a = solid.corners[face[i]], b = solid.corners[face[(i + 1) % face.size()]];
+      area += a.x * b.y - a.y * b.x;
+    }
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      (area > 0 ? front : back).insert({face[i], face[(i + 1) % face.size()]});
+    }
+  }
+  SeenEdges out;
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [a, b] : front) {
+    if (!front.contains({b, a})) {
+      next[a] = b;
+    } else if (a < b) {
+      out.inside.push_back({a, b});
+    }
+  }
+  for (const auto& [a, b] : back) {
+    if (a < b && back.contains({b, a})) out.behind.push_back({a, b});
+  }
+  for (auto here = next.begin(); here != next.end(); here = next.find(out.outline.back())) {
+    if (!out.outline.empty() && here->second == out.outline.front()) break;
+    if (out.outline.empty()) out.outline.push_back(here->first);
+    out.outline.push_back(here->second);
+    if (out.outline.size() > next.size()) break;
+  }
+  if (out.outline.size() != next.size()) out.outline.clear();
+  return out;
+}
+
+}  // namespace
+
+Result<Patch> Patch::make(const FacedSolid& solid, const DepthScale& scale) {
+  const Cover front(solid, true), back(solid, false);
+  const SeenEdges edges = seenEdges(solid);
+  if (front.empty() || back.empty() || edges.outline.size() < 3) {
+    return Failure{Error::ShapeInvalid, "what is seen of it has more than one outline"};
+  }
+  // Pixels, y up.
+  const auto pixel = [&](SectionPoint p) {
+    return SectionPoint{p.x * scale.size + scale.middle.x, p.y * scale.size - scale.middle.y};
+  };
+  const auto flat = [&](std::uint32_t corner) {
+    return SectionPoint{solid.corners[corner].x, solid.corners[corner].y};
+  };
+  std::vector<SectionPoint> rim, inner;
+  const auto along = [&](std::uint32_t a, std::uint32_t b, std::vector<SectionPoint>& points) {
+    const double steps = std::ceil(distance(flat(a), flat(b)) / kFacedStep);
+    for (double i = 0; i < steps; ++i) points.push_back(lerp(flat(a), flat(b), i / steps));
+  };
+  for (std::size_t i = 0; i < edges.outline.size(); ++i) {
+    along(edges.outline[i], edges.outline[(i + 1) % edges.outline.size()], rim);
+  }
+  for (const auto* some : {&edges.inside, &edges.behind}) {
+    for (const auto& [a, b] : *some) along(a, b, inner);
+    for (const auto& [a, b] : *some) inner.push_back(flat(b));
+  }
+  for (const auto& [a, b] : edges.inside) {
+    for (const auto& [c, d] : edges.behind) {
+      const SectionPoint r = flat(b) - flat(a), q = flat(d) - flat(c);
+      const double whole = cross(r, q);
+      if (whole == 0) continue;
+      const double t = cross(flat(c) - flat(a), q) / whole, u = cross(flat(c) - flat(a), r) / whole;
+      if (t > 0 && t < 1 && u > 0 && u < 1) inner.push_back(flat(a) + r * t);
+    }
+  }
+  std::vector<SectionPoint> pixels;
+  for (const SectionPoint p : rim) pixels.push_back(pixel(p));
+  const std::array<std::size_t, 1> sizes{rim.size()};
+  auto parts = std::make_unique<Parts>(geometry::PlaneMesh(pixels, sizes), std::vector<std::size_t>{rim.size()},
+                                       std::vector<double>{});
+  if (parts->mesh.empty()) return Failure{Error::ShapeInvalid, "what is seen of it has more than one outline"};
+  for (const SectionPoint p : inner) parts->mesh.insert(pixel(p));
+  parts->grid = TriangleGrid(parts->mesh);
+  parts->scale = scale;
+  parts->faced = solid;
+  parts->setPlane();
+  for (std::uint32_t i = 0; i < parts->mesh.points().size(); ++i) {
+    const SectionPoint p = parts->planeAt(i);
+    const double high = front.at(p), low = std::min(high, back.at(p));
+    parts->rise.push_back((high + low) / 2);
+    parts->halfThick.push_back(i < rim.size() ? 0 : (high - low) / 2);
+  }
+  return Patch(std::move(parts));
+}
+
 const geometry::PlaneMesh& Patch::mesh() const { return parts_->mesh; }
 const std::vector<std::size_t>& Patch::rims() const { return parts_->rims; }
 const std::vector<double>& Patch::poisson() const { return parts_->poisson; }
+const FacedSolid* Patch::faced() const { return parts_->faced ? &*parts_->faced : nullptr; }
+const std::vector<double>& Patch::halfThick() const { return parts_->halfThick; }
+double Patch::riseAt(const MeshPlace& place) const { return parts_->faced ? place.of(parts_->rise) : 0; }
 std::size_t Patch::unknowns() const { return 3 + parts_->controls; }
 const std::vector<geometry::QpEntry>& Patch::energy() const { return parts_->energy; }
 
@@ -343,6 +497,7 @@ std::vector<double> Patch::depthsOf(std::span<const double> unknowns) const {
   std::vector<double> out(parts.mesh.points().size());
   const Eigen::Vector3d plane(unknowns[0], unknowns[1], unknowns[2]);
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = plane.dot(parts.planeTerms(parts.mesh.points()[i]));
+  for (std::size_t i = 0; i < parts.rise.size(); ++i) out[i] += parts.rise[i];
   if (parts.controls == 0) return out;
   const std::size_t corners = parts.mesh.rim();
   const std::span<const double> bends = unknowns.subspan(3);

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/descriptive/overlaps.h"
+#include "engine/descriptive/square.h"
 #include "engine/geometry/qp.h"
 #include "engine/geometry/refine.h"
 
@@ -24,17 +25,11 @@ struct MeshPlace {
   }
 };
 
-/// How the unknowns and lengths of a drawing are scaled: depths and places are shares of its size, y up.
-struct DepthScale {
-  PicturePoint middle;  ///< pixels
-  double size = 1;      ///< pixels
-  SectionPoint of(PicturePoint p) const { return {(p.x - middle.x) / size, -(p.y - middle.y) / size}; }
-};
-
 /// The mesh is in pixels with y up. z = plane + bend. The plane has three unknowns: z at the middle of the piece, and
-/// how much it grows to the right and up over the piece's radius; a flat piece has no others. The bend of a round one
-/// is given at about kControls control points of its outlines, linear between them along the rim; inside it is Σ w ·
-/// bend with harmonic coordinates, w = −L_II⁻¹ L_IB on the cotangent stiffness of the mesh. So planes are exact.
+/// how much it grows to the right and up over the piece's radius; a flat piece has no others. One with plane faces
+/// does not turn: z is the same everywhere, + its rise, half way between its faces. The bend of a round one is given at
+/// about kControls control points of its outlines, linear between them along the rim; inside it is Σ w · bend with
+/// harmonic coordinates, w = −L_II⁻¹ L_IB on the cotangent stiffness of the mesh. So planes are exact.
 class Patch {
  public:
   /// Places of the outlines that are corners of the rim, pixels.
@@ -45,6 +40,8 @@ class Patch {
   /// About `points` points on both sides of a round one. Error: RegionTooFine.
   static Result<Patch> make(const Sheet& sheet, const Piece& piece, const Kept& kept, const DepthScale& scale,
                             int points);
+  /// The same between plane faces. Error: ShapeInvalid where what is seen of them is no simple outline.
+  static Result<Patch> make(const FacedSolid& solid, const DepthScale& scale);
   Patch(Patch&&) noexcept;
   Patch& operator=(Patch&&) noexcept;
   ~Patch();
@@ -52,11 +49,18 @@ class Patch {
   const geometry::PlaneMesh& mesh() const;
   const std::vector<std::size_t>& rims() const;  ///< corners of each outline
   const std::vector<double>& poisson() const;    ///< u at every point, square pixels; empty for a flat piece
+  /// What it was made of; null but between plane faces.
+  const FacedSolid* faced() const;
+  /// Half its thickness along z at every point; empty but between plane faces. A share of the size.
+  const std::vector<double>& halfThick() const;
+  /// What a depth has beside the terms of its unknowns: 0 but between plane faces.
+  double riseAt(const MeshPlace& place) const;
   std::size_t unknowns() const;
   /// Its planarity (planarity.h), and the gauges below.
   const std::vector<geometry::QpEntry>& energy() const;
 
-  /// The depth at a place (or the mean over several, by weights) as terms in the unknowns, the first being `offset`.
+  /// The depth without rise at a place (or the mean over several, by weights) as terms in the unknowns, the first being
+  /// `offset`.
   std::vector<geometry::QpTerm> depthOf(std::span<const MeshPlace> places, std::span<const double> weights,
                                         std::uint32_t offset) const;
   /// The depth of its plane, without bend, at any p (pixels, y up), in the same way.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/geometry/triangulate.h"
 #include "engine/mesh/two_sided.h"
 
 namespace spineloft::descriptive {
@@ -26,10 +27,45 @@ ModelPoint normalOf(const Patch& patch, std::span<const double> z) {
   return normalized(best);
 }
 
+/// Its faces as they are, the whole moved by `depth` along z; pixels.
+mesh::TriMesh facedMesh(const FacedSolid& solid, double depth, const DepthScale& scale, image::Size board) {
+  mesh::TriMesh out;
+  for (const ModelPoint& corner : solid.corners) {
+    const double x = scale.middle.x + corner.x * scale.size, y = scale.middle.y - corner.y * scale.size;
+    out.positions.push_back(
+        {static_cast<float>(x), static_cast<float>(-y), static_cast<float>((corner.z + depth) * scale.size)});
+    out.uv.push_back({static_cast<float>(std::clamp((x + 0.5) / board.width, 0.0, 1.0)),
+                      static_cast<float>(std::clamp((y + 0.5) / board.height, 0.0, 1.0))});
+  }
+  for (const Wireframe::Face& face : solid.faces) {
+    // In the face's own plane, so that it is counter-clockwise there.
+    ModelPoint normal{};
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      normal += cross(solid.corners[face[i]], solid.corners[face[(i + 1) % face.size()]]);
+    }
+    normal = normalized(normal);
+    const ModelPoint right =
+        normalized(cross(std::abs(normal.y) < 0.9 ? ModelPoint{0, 1, 0} : ModelPoint{1, 0, 0}, normal));
+    const ModelPoint up = cross(normal, right);
+    std::vector<SectionPoint> flat;
+    for (const std::uint32_t corner : face) {
+      flat.push_back({dot(solid.corners[corner], right), dot(solid.corners[corner], up)});
+    }
+    for (const auto& [a, b, c] : geometry::triangulate(std::span<const SectionPoint>(flat))) {
+      out.triangles.push_back({face[a], face[b], face[c]});
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 mesh::TriMesh solidOf(const Patch& patch, const Piece& piece, const PieceDepth& depth, const DepthScale& scale,
                       image::Size board) {
+  if (const FacedSolid* faced = patch.faced()) {
+    const double moved = depth.middle[0] - patch.riseAt({{0, 0, 0}, {1, 0, 0}});
+    return facedMesh(*faced, moved, scale, board);
+  }
   std::vector<double> front(depth.middle.size()), back(depth.middle.size());
   for (std::size_t i = 0; i < front.size(); ++i) {
     front[i] = (depth.middle[i] + depth.front[i]) * scale.size;

@@ -33,8 +33,18 @@ bool owns(const LineOutline& outline, LineId line) {
   return std::ranges::any_of(outline.runs, [&](const LineRun& run) { return run.line == line && isWhole(run); });
 }
 
-bool owns(const ElementRecipe& recipe, LineId line) {
-  return std::ranges::any_of(recipe.outlines, [&](const LineOutline& outline) { return owns(outline, line); });
+bool owns(const ElementRecipe& recipe, LineId line) { return std::ranges::binary_search(linesOf(recipe), line); }
+
+std::vector<LineId> linesOf(const ElementRecipe& recipe) {
+  std::vector<LineId> lines;
+  for (const LineOutline& outline : recipe.outlines) {
+    for (const LineRun& run : outline.runs) {
+      if (isWhole(run) || recipe.kind == descriptive::PieceKind::Solid) lines.push_back(run.line);
+    }
+  }
+  std::ranges::sort(lines);
+  lines.erase(std::ranges::unique(lines).begin(), lines.end());
+  return lines;
 }
 
 descriptive::Piece pieceOf(const Drawing& drawing, const ElementRecipe& recipe, image::Size picture) {

@@ -30,7 +30,10 @@ const Drawing* drawingOn(const Document& document, PictureId picture);
 bool isWhole(const LineRun& run);
 /// Whether the outline has the line whole.
 bool owns(const LineOutline& outline, LineId line);
+/// Whether the piece has it: whole, or of a solid any stretch of it, which is an edge.
 bool owns(const ElementRecipe& recipe, LineId line);
+/// All lines that it has.
+std::vector<LineId> linesOf(const ElementRecipe& recipe);
 
 /// Lines that no piece has a stretch of, in their order.
 std::vector<LineId> freeLines(const Document& document, const Drawing& drawing);

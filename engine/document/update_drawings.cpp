@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/descriptive/outlines.h"
+#include "engine/descriptive/wireframe.h"
 #include "engine/document/checks.h"
 #include "engine/document/pieces.h"
 #include "engine/document/update_parts.h"
@@ -57,42 +57,114 @@ class Encloser {
   Encloser(Document& document, DrawingId id) : document_(document), drawing_(*findDrawing(document, id)) {}
 
   /// Outlines that have the changed line, or only lines of no piece, become pieces. One that has a line of a piece
-  /// already becomes the outline of that piece; of several pieces the oldest stays.
+  /// already becomes the outline of that piece; of several pieces the oldest stays. So do the faces of a solid whose
+  /// edges are drawn; hidden ones that are missing are drawn.
   Status enclose(LineId changed, const Look& look) {
-    const PlainDrawing plain = plainDrawing(document_, drawing_);
-    const auto lines = descriptive::meetingLines(plain.drawing.lines);
-    if (!lines) return lines.failure();
-    const auto nodes = descriptive::nodesOf(lines.value(), descriptive::sizeOf(plain.drawing.lines));
+    if (Status status = addMissingEdges(); !status) return status;
+    Result<std::vector<descriptive::Piece>> pieces = proposed();
+    if (!pieces) return pieces.failure();
     const std::vector<LineId> free = freeLines(document_, drawing_);
-    for (const descriptive::Outline& runs : descriptive::proposeOutlines(lines.value(), nodes)) {
-      LineOutline outline;
-      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing_.lines[line].id, from, to});
-      const bool isFree = std::ranges::all_of(outline.runs, [&](const LineRun& run) {
-        return !isWhole(run) || std::ranges::find(free, run.line) != free.end();
-      });
-      if (!isFree && !owns(outline, changed)) continue;
-      if (Status status = take(outline, look); !status) return status;
+    const auto isFree = [&](const LineRun& run) { return std::ranges::find(free, run.line) != free.end(); };
+    for (const descriptive::Piece& piece : pieces.value()) {
+      const std::vector<LineOutline> outlines = linesOf(piece);
+      const bool isSolid = piece.kind == descriptive::PieceKind::Solid;
+      const auto mayBe = [&](const LineOutline& outline) {
+        const bool isNew = std::ranges::all_of(
+            outline.runs, [&](const LineRun& run) { return (!isSolid && !isWhole(run)) || isFree(run); });
+        return isNew || (isSolid ? has(outline, changed) : owns(outline, changed));
+      };
+      if (!std::ranges::any_of(outlines, mayBe)) continue;
+      if (Status status = isSolid ? takeSolid(outlines, look) : take(outlines[0], look); !status) return status;
+    }
+    return Done{};
+  }
+  /// The same for solids whose edges are drawn alone.
+  Status encloseSolids(LineId changed, const Look& look) {
+    const Result<std::vector<descriptive::Piece>> pieces = proposed();
+    if (!pieces) return pieces.failure();
+    for (const descriptive::Piece& piece : pieces.value()) {
+      if (piece.kind != descriptive::PieceKind::Solid) continue;
+      const std::vector<LineOutline> outlines = linesOf(piece);
+      if (!std::ranges::any_of(outlines, [&](const LineOutline& one) { return has(one, changed); })) continue;
+      if (Status status = takeSolid(outlines, look); !status) return status;
     }
     return Done{};
   }
 
  private:
+  static bool has(const LineOutline& outline, LineId line) {
+    return std::ranges::find(outline.runs, line, &LineRun::line) != outline.runs.end();
+  }
+  std::vector<LineOutline> linesOf(const descriptive::Piece& piece) const {
+    std::vector<LineOutline> out;
+    for (const descriptive::Outline& runs : piece.outlines) {
+      LineOutline& outline = out.emplace_back();
+      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing_.lines[line].id, from, to});
+    }
+    return out;
+  }
+  Result<std::vector<descriptive::Piece>> proposed() const {
+    const PlainDrawing plain = plainDrawing(document_, drawing_);
+    const auto lines = descriptive::meetingLines(plain.drawing.lines);
+    if (!lines) return lines.failure();
+    const double size = descriptive::sizeOf(plain.drawing.lines);
+    return descriptive::proposePieces(lines.value(), descriptive::nodesOf(lines.value(), size), size);
+  }
+  Status addMissingEdges() {
+    const auto missing = descriptive::missingEdges(plainDrawing(document_, drawing_).drawing.lines);
+    if (!missing) return missing.failure();
+    if (missing.value().empty()) return Done{};
+    Status added = editDrawing(document_, drawing_.id, [&](Drawing& drawing) {
+      for (const descriptive::Line& line : missing.value()) {
+        drawing.lines.push_back({LineId{++drawing.lastLineId}, line.points, line.hidden, line.closed});
+      }
+      return checkLines(document_, drawing);
+    });
+    if (added) drawing_ = *findDrawing(document_, drawing_.id);
+    return added;
+  }
+  /// The oldest piece that has one of these lines becomes the solid; others that have one go.
+  Status takeSolid(const std::vector<LineOutline>& faces, const Look& look) {
+    const auto shares = [&](const LineOutline& old) {
+      return std::ranges::any_of(faces, [&](const LineOutline& face) {
+        return std::ranges::any_of(face.runs, [&](const LineRun& run) { return has(old, run.line); });
+      });
+    };
+    PartId owner;
+    for (const Part* part : piecesOf(document_, drawing_.id)) {
+      if (!owner && std::ranges::any_of(elementOf(*part)->outlines, shares)) owner = part->id;
+    }
+    if (!owner)
+      return addPiece({.picture = drawing_.picture,
+                       .drawing = drawing_.id,
+                       .kind = descriptive::PieceKind::Solid,
+                       .outlines = faces},
+                      look);
+    editPieces(document_, drawing_.id, [&](PartId id, ElementRecipe& element) {
+      if (!std::ranges::any_of(element.outlines, shares)) return false;
+      element.outlines = id == owner ? faces : std::vector<LineOutline>{};
+      if (id == owner) element.kind = descriptive::PieceKind::Solid;
+      return true;
+    });
+    return Done{};
+  }
+  Status addPiece(ElementRecipe recipe, const Look& look) {
+    if (Status room = roomForPart(document_); !room) return room;
+    if (piecesOf(document_, drawing_.id).size() >= descriptive::kMostPieces) {
+      return {Error::ValueOutOfRange, "too many pieces"};
+    }
+    addPart(document_, std::move(recipe), look);
+    return Done{};
+  }
   Status take(const LineOutline& outline, const Look& look) {
     const auto isReplaced = [&](const LineOutline& old) {
       return std::ranges::any_of(old.runs, [&](const LineRun& run) { return isWhole(run) && owns(outline, run.line); });
     };
     PartId owner;
-    const std::vector<const Part*> pieces = piecesOf(document_, drawing_.id);
-    for (const Part* part : pieces) {
+    for (const Part* part : piecesOf(document_, drawing_.id)) {
       if (!owner && std::ranges::any_of(elementOf(*part)->outlines, isReplaced)) owner = part->id;
     }
-    if (!owner) {
-      if (Status room = roomForPart(document_); !room) return room;
-      if (pieces.size() >= descriptive::kMostPieces) return {Error::ValueOutOfRange, "too many pieces"};
-      addPart(document_, ElementRecipe{.picture = drawing_.picture, .drawing = drawing_.id, .outlines = {outline}},
-              look);
-      return Done{};
-    }
+    if (!owner) return addPiece({.picture = drawing_.picture, .drawing = drawing_.id, .outlines = {outline}}, look);
     editPieces(document_, drawing_.id, [&](PartId id, ElementRecipe& element) {
       const auto first = std::ranges::find_if(element.outlines, isReplaced);
       if (first == element.outlines.end()) return false;
@@ -105,13 +177,13 @@ class Encloser {
   }
 
   Document& document_;
-  const Drawing drawing_;
+  Drawing drawing_;
 };
 
-/// A line goes from an outline, which closes straight; whether anything of its own is left.
-bool leaves(LineOutline& outline, LineId line) {
+/// A line goes from an outline, which closes straight; whether anything of its own is left. A face needs two edges.
+bool leaves(LineOutline& outline, LineId line, bool isFace) {
   std::erase_if(outline.runs, [&](const LineRun& run) { return run.line == line; });
-  return std::ranges::any_of(outline.runs, isWhole);
+  return isFace ? outline.runs.size() > 1 : std::ranges::any_of(outline.runs, isWhole);
 }
 
 /// Lines go, out of the pieces and marks of the drawing too.
@@ -127,12 +199,52 @@ void eraseLines(Document& document, Drawing& drawing, const std::set<LineId>& go
       for (const LineId line : gone) {
         if (std::ranges::find(outline.runs, line, &LineRun::line) == outline.runs.end()) continue;
         changed = true;
-        whole = leaves(outline, line);
+        whole = leaves(outline, line, element.kind == descriptive::PieceKind::Solid);
       }
       return !whole;
     });
     return changed;
   });
+}
+
+/// Gives a piece another kind; one that becomes or was a solid gets other outlines. Error: ShapeInvalid where its lines
+/// are no edges of a solid.
+Status shapeElement(const Document& document, ElementRecipe& element, descriptive::PieceKind kind) {
+  using descriptive::PieceKind;
+  if (element.kind == kind) return Done{};
+  if (element.kind == PieceKind::Solid || kind == PieceKind::Solid) {
+    const Drawing& drawing = *findDrawing(document, element.drawing);
+    const PlainDrawing plain = plainDrawing(document, drawing);
+    const auto lines = descriptive::meetingLines(plain.drawing.lines);
+    if (!lines) return lines.failure();
+    const double size = descriptive::sizeOf(plain.drawing.lines);
+    std::vector<descriptive::Outline> outlines;
+    if (kind == PieceKind::Solid) {
+      const std::vector<LineId> own = linesOf(element);
+      const auto isOwn = [&](const descriptive::Run& run) {
+        return std::ranges::binary_search(own, drawing.lines[run.line].id);
+      };
+      const auto nodes = descriptive::nodesOf(lines.value(), size);
+      for (auto& faces : descriptive::proposeWireframes(lines.value(), nodes, size)) {
+        const bool isIt =
+            std::ranges::any_of(faces, [&](const auto& face) { return std::ranges::any_of(face, isOwn); });
+        if (isIt) outlines = std::move(faces);
+      }
+      if (outlines.empty()) return {Error::ShapeInvalid, "its lines are no edges of a solid"};
+    } else {
+      const descriptive::Piece piece = pieceOf(drawing, element, plain.drawing.size);
+      Result<descriptive::Outline> silhouette = descriptive::silhouetteOf(lines.value(), piece.outlines, size);
+      if (!silhouette) return silhouette.failure();
+      outlines = {std::move(silhouette).value()};
+    }
+    element.outlines.clear();
+    for (const descriptive::Outline& runs : outlines) {
+      LineOutline& outline = element.outlines.emplace_back();
+      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing.lines[line].id, from, to});
+    }
+  }
+  element.kind = kind;
+  return Done{};
 }
 
 }  // namespace
@@ -166,7 +278,9 @@ Status applyDrawing(Document& document, const CloseLine& a) {
 }
 
 Status applyDrawing(Document& document, const HideLine& a) {
-  return editLine(document, a.drawing, a.line, [&](DrawnLine& line) { line.hidden = a.hidden; });
+  const Status hidden = editLine(document, a.drawing, a.line, [&](DrawnLine& line) { line.hidden = a.hidden; });
+  if (!hidden) return hidden;
+  return Encloser(document, a.drawing).encloseSolids(a.line, {});
 }
 
 Status applyDrawing(Document& document, const DeleteLine& a) {
@@ -210,7 +324,7 @@ Status applyDrawing(Document& document, const ShapePiece& a) {
   Part part = *at;
   ElementRecipe* element = elementOf(part);
   if (element == nullptr) return Error::NotAPiece;
-  element->kind = a.kind;
+  if (Status shaped = shapeElement(document, *element, a.kind); !shaped) return shaped;
   if (Status sound = checkElement(document, *element); !sound) return sound;
   *at = std::move(part);
   return Done{};
@@ -225,11 +339,7 @@ void settleDrawings(const Document& before, Document& document) {
     const Part* now = findPart(document, old->id);
     const ElementRecipe* is = now == nullptr ? nullptr : elementOf(*now);
     if (is != nullptr && is->drawing == was->drawing) continue;
-    for (const LineOutline& outline : was->outlines) {
-      for (const LineRun& run : outline.runs) {
-        if (isWhole(run)) loose[was->drawing].insert(run.line);
-      }
-    }
+    for (const LineId line : linesOf(*was)) loose[was->drawing].insert(line);
   }
   for (Box<Drawing>& box : document.drawings) {
     Drawing drawing = box;

@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using descriptive::Drawing;
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKinds = {"round",
-                                                                                                           "flat"};
+constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKinds = {
+    "round", "flat", "solid"};
 constexpr std::array<const char*, static_cast<std::size_t>(descriptive::NodeKind::kCount)> kNodes = {
     "crossing", "touch", "branch", "dip", "corner", "end"};
 constexpr std::array<const char*, 4> kFrom = {"drawn", "deduced", "guessed", "user"};
@@ -134,7 +134,7 @@ void readPiece(Reader& reader, const Json& json, const std::string& path, Drawin
   if (const auto kind = json.find("kind"); kind != json.end()) {
     const auto found = std::ranges::find(kKinds, kind->is_string() ? kind->get<std::string>() : std::string());
     if (found == kKinds.end()) {
-      reader.say(path + ".kind is neither round nor flat");
+      reader.say(path + ".kind is neither round, flat nor solid");
     } else {
       piece.kind = static_cast<descriptive::PieceKind>(found - kKinds.begin());
     }

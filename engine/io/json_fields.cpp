@@ -127,7 +127,7 @@ std::string_view keyOf(geometry::ViewFrom value) {
 }
 std::string_view keyOf(descriptive::PieceKind value) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKeys = {
-      "round", "flat"};
+      "round", "flat", "solid"};
   const auto at = static_cast<std::size_t>(value);
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }

@@ -33,6 +33,7 @@ function objects(path) {
   return all;
 }
 
+const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 const boundsOf = (points) =>
   [0, 1].map((k) => [Math.min(...points.map((p) => p[k])), Math.max(...points.map((p) => p[k]))]);
 
@@ -163,6 +164,33 @@ for (const [name, isOver] of Object.entries(kOrders)) {
       }
     }
     assert.ok(seen > 60 * report.orders.length, `${seen} rays`);
+  });
+}
+
+for (const [name, faces] of Object.entries({ cube: 6, house: 7, 'box-of-nine-lines': 6 })) {
+  test(`${name}: the lines of its edges are one solid of plane faces with right angles`, (t) => {
+    const folder = workFolder(t);
+    const report = reportOf(folder, recipe(name));
+    assert.deepEqual([report.contradictions, report.lost, report.openLines], [[], [], []]);
+    assert.equal(report.pieces.length, 1);
+    const [{ kind, outlines, planarity, mesh }] = report.pieces;
+    assert.deepEqual([kind, outlines], ['solid', faces]);
+    assert.ok(mesh.closed && mesh.lawful && mesh.genus === 0 && mesh.shells === 1 && mesh.volume > 0);
+    assert.ok(planarity < 1e-6);
+    works('loft', '--recipe', recipe(name), '--out', folder.path('model.obj'));
+    const [triangles] = [...objects(folder.path('model.obj')).values()];
+    // Normals of the file's triangles: as many as faces, and all but those of the roof at right angles or opposite.
+    const normals = [];
+    for (const [a, b, c] of triangles) {
+      const [p, q] = [b, c].map((corner) => corner.map((x, k) => x - a[k]));
+      const n = [0, 1, 2].map((k) => p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3]);
+      const unit = n.map((x) => x / Math.hypot(...n));
+      if (!normals.some((other) => dot(other, unit) > 0.9999)) normals.push(unit);
+    }
+    assert.equal(normals.length, faces);
+    const isRight = (a, b) => Math.abs(dot(a, b)) < 0.002 || Math.abs(dot(a, b)) > 0.9999;
+    const skew = normals.filter((n) => normals.filter((other) => !isRight(n, other)).length > 2);
+    assert.equal(skew.length, name === 'house' ? 2 : 0);
   });
 }
 

@@ -113,7 +113,7 @@ Outcome pinDepth(Env env, const Json& args) {
 Outcome shapePieceRow(Env env, const Json& args) {
   const std::string* key = args.text("kind");
   descriptive::PieceKind kind{};
-  if (key == nullptr || !io::fromKey(*key, kind)) return missing("a kind: round or flat");
+  if (key == nullptr || !io::fromKey(*key, kind)) return missing("a kind: round, flat or solid");
   const std::vector<PartId> parts = partsFrom(env, args);
   return parts.empty() ? noPart() : shapePieces(env, parts, kind);
 }
@@ -121,7 +121,8 @@ void pieceChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, {});
   const document::ElementRecipe* own = part ? document::elementOf(*part) : nullptr;
   for (const auto& [kind, label] :
-       {std::pair{descriptive::PieceKind::Round, "Round"}, std::pair{descriptive::PieceKind::Flat, "Flat"}}) {
+       {std::pair{descriptive::PieceKind::Round, "Round"}, std::pair{descriptive::PieceKind::Flat, "Flat"},
+        std::pair{descriptive::PieceKind::Solid, "With edges"}}) {
     writeChoice(json, io::keyOf(kind), label, own != nullptr && own->kind == kind);
   }
 }

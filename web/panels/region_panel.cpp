@@ -163,7 +163,8 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
   if (const document::ElementRecipe* piece = document::elementOf(part)) {
     WordButtons buttons(env, width);
     using descriptive::PieceKind;
-    for (const auto& [kind, text] : {std::pair{PieceKind::Round, "Round"}, std::pair{PieceKind::Flat, "Flat"}}) {
+    for (const auto& [kind, text] : {std::pair{PieceKind::Round, "Round"}, std::pair{PieceKind::Flat, "Flat"},
+                                     std::pair{PieceKind::Solid, "With edges"}}) {
       if (buttons.button(text, text, piece->kind == kind) && piece->kind != kind) {
         env.sink.run(app::shapePieces, app::selectedParts(env.document(), env.ui()), kind);
       }

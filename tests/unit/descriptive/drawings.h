@@ -94,7 +94,8 @@ inline std::vector<descriptive::Sheet> sheetsOf(const descriptive::Drawing& draw
   std::vector<descriptive::Sheet> sheets;
   const auto lines = descriptive::meetingLines(drawing.lines);
   for (const descriptive::Piece& piece : drawing.pieces) {
-    sheets.push_back(descriptive::sheetOf(lines.value(), piece, drawing.size).value());
+    sheets.push_back(
+        descriptive::sheetOf(lines.value(), piece, descriptive::sizeOf(drawing.lines), drawing.size).value());
   }
   return sheets;
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "engine/document/checks.h"
@@ -202,4 +203,82 @@ TEST_CASE("numbers of a piece are in the table, and new ids keep who is who") {
   CHECK(next.drawings == document.drawings);
   CHECK(next.parts == document.parts);
   CHECK(next.lastDrawingId == 1);
+}
+
+namespace {
+
+/// A box seen from its corner: nine seen lines, the edges of one face last.
+std::vector<Action> seenBox(PictureId paper) {
+  const std::vector<PicturePoint> p{{300, 200}, {600, 260}, {780, 180}, {480, 130}, {300, 520}, {600, 600}, {780, 500}};
+  const std::vector<std::array<std::size_t, 2>> edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4},
+                                                      {1, 5}, {2, 6}, {4, 5}, {5, 6}};
+  std::vector<Action> out;
+  for (const auto& [a, b] : edges) out.push_back(DrawLine{paper, {p[a], p[b]}});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("nine seen lines of a box become one solid piece, with its hidden edges as lines of the drawing") {
+  std::vector<Action> lines = seenBox(kPaper);
+  const Action last = lines.back();
+  lines.pop_back();
+  const Document before = after(paper(), lines);
+  // The top is an outline of its own before the box is closed.
+  CHECK(before.parts.size() == 1);
+  const Document document = after(before, {last});
+  REQUIRE(document.parts.size() == 1);
+  const ElementRecipe& box = *elementOf(*document.parts[0]);
+  CHECK(document.parts[0]->id == before.parts[0]->id);
+  CHECK(box.kind == descriptive::PieceKind::Solid);
+  CHECK(box.outlines.size() == 6);
+  CHECK(document.drawings[0]->lines.size() == 12);
+  CHECK(linesOf(box).size() == 12);
+  CHECK(freeLines(document, *document.drawings[0]).empty());
+  CHECK(checkElement(document, box).ok());
+  const DrawingId drawing = document.drawings[0]->id;
+
+  SUBCASE("as a round piece it is what its silhouette encloses, and a solid again afterwards") {
+    const Document round = after(document, {ShapePiece{document.parts[0]->id, descriptive::PieceKind::Round}});
+    CHECK(elementOf(*round.parts[0])->outlines.size() == 1);
+    const Document solid = after(round, {ShapePiece{document.parts[0]->id, descriptive::PieceKind::Solid}});
+    CHECK(*elementOf(*solid.parts[0]) == box);
+  }
+  SUBCASE("a line that is deleted leaves the faces, which close straight") {
+    const Document without = after(document, {DeleteLine{drawing, LineId{5}}});
+    REQUIRE(without.parts.size() == 1);
+    CHECK(elementOf(*without.parts[0])->outlines.size() == 6);
+  }
+  SUBCASE("with the piece go all its lines") {
+    const Document gone = after(document, {DeletePart{document.parts[0]->id}});
+    CHECK(gone.parts.empty());
+    CHECK(gone.drawings.empty());
+  }
+  SUBCASE("another line beside it changes nothing of it") {
+    const Document more =
+        after(document, {DrawLine{kPaper, {{850, 300}, {950, 300}, {950, 400}, {850, 400}}, {}, true}});
+    CHECK(more.parts.size() == 2);
+    CHECK(*elementOf(*more.parts[0]) == box);
+  }
+}
+
+TEST_CASE("a box whose edges are all drawn as seen becomes a solid when the hidden ones are hidden") {
+  std::vector<Action> lines = seenBox(kPaper);
+  const std::vector<PicturePoint> ends{{480, 130}, {300, 520}, {780, 500}};
+  // Hidden edges first, as seen ones: nothing is missing then.
+  std::vector<Action> all;
+  for (const PicturePoint end : ends) all.push_back(DrawLine{kPaper, {{480, 430}, end}});
+  all.insert(all.end(), lines.begin(), lines.end());
+  Document document = after(paper(), all);
+  CHECK(std::ranges::none_of(document.parts,
+                             [](const Part& part) { return elementOf(part)->kind == descriptive::PieceKind::Solid; }));
+  for (std::uint32_t line = 1; line <= 3; ++line)
+    document = after(document, {HideLine{kDrawing, LineId{line}, {{0, 1}}}});
+  REQUIRE(document.parts.size() == 1);
+  CHECK(elementOf(*document.parts[0])->kind == descriptive::PieceKind::Solid);
+}
+
+TEST_CASE("a piece whose lines are no edges cannot be a solid") {
+  const Document document = drawnCreature();
+  CHECK(errorOf(document, ShapePiece{document.parts[0]->id, descriptive::PieceKind::Solid}) == Error::ShapeInvalid);
 }

@@ -1,0 +1,35 @@
+// Right angles: how deep the corners of a drawn solid lie, from the directions of its edges alone.
+#pragma once
+
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/descriptive/wireframe.h"
+
+namespace spineloft::descriptive {
+
+/// A solid between plane faces.
+struct FacedSolid {
+  std::vector<ModelPoint> corners;     ///< shares of the size, y up, in the order of Wireframe::corners; mean z is 0
+  std::vector<Wireframe::Face> faces;  ///< those of the wireframe
+  double moved = 0;                    ///< how far a corner is from where it was drawn, the most, a share of the size
+  double offPlane = 0;                 ///< how far a corner is from the plane of a face, the most
+};
+
+/// Edges are clustered by their direction in the picture. Three directions u₁, u₂, u₃ can be those of a right-angled
+/// corner if A₁₂A₁₃A₂₃ > 0 with A_ij = −u_i·u_j; their slopes, dz per length along u, are then s₁ = √(A₁₂A₁₃/A₂₃),
+/// s₂ = A₁₂/s₁, s₃ = A₁₃/s₁. Of all such triples that one counts at whose corners the three meet most often, then the
+/// one with most edges. Depths are those of least squares with these slopes, with edges of one other direction parallel
+/// and faces plane; what is seen is in front. Then corners move so that every face is exactly a plane and edges keep
+/// their axes: Σ(Δx² + Δy² + Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in
+/// each of at most kMostRounds steps of Gauss and Newton. Errors: ShapeInvalid where no three directions are
+/// right-angled, or faces that cannot be planes.
+Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
+
+/// Whether it is a solid with right angles: no corner has to move by more than kMostMoved.
+bool isSquare(const Wireframe& wireframe, double size);
+
+inline constexpr double kMostMoved = 0.06;
+inline constexpr int kMostRounds = 40;
+
+}  // namespace spineloft::descriptive

@@ -1,0 +1,535 @@
+#include "engine/descriptive/wireframe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "engine/descriptive/outlines.h"
+#include "engine/descriptive/square.h"
+#include "engine/geometry/polyline.h"
+
+namespace spineloft::descriptive {
+namespace {
+
+using Corner = std::uint32_t;
+using EdgeEnds = std::pair<Corner, Corner>;
+
+/// Two edges at a corner of only two go on straight when they turn by less, radians.
+constexpr double kStraightOn = 0.45;
+/// How far an edge may be from straight however short it is, as a share of the size: what a hand trembles.
+constexpr double kTremor = 0.01;
+
+/// Places within kSameCorner of a corner belong to it; else they are a new one.
+class Corners {
+ public:
+  explicit Corners(double size) : reach_(kSameCorner * size) {}
+  Corner of(PicturePoint p) {
+    Corner best = 0;
+    for (Corner i = 1; i < at.size(); ++i) {
+      if (distance(at[i], p) < distance(at[best], p)) best = i;
+    }
+    if (at.empty() || distance(at[best], p) > reach_) {
+      at.push_back(p);
+      sums_.push_back({p, 1});
+      return static_cast<Corner>(at.size() - 1);
+    }
+    auto& [sum, count] = sums_[best];
+    sum += p;
+    at[best] = sum / ++count;
+    return best;
+  }
+  std::vector<PicturePoint> at;
+
+ private:
+  double reach_;
+  std::vector<std::pair<PicturePoint, double>> sums_;
+};
+
+/// Shares of a line at which it turns sharply; of an open one its ends too.
+std::vector<double> sharesOfCorners(const MeasuredLine& line, double size) {
+  std::vector<PicturePoint> points = line.points;
+  std::vector<double> s = line.s;
+  if (line.closed) {
+    // From the point that is farthest from the middle, which is a corner where there is one.
+    points.pop_back();
+    const PicturePoint middle =
+        std::accumulate(points.begin(), points.end(), PicturePoint{}) / static_cast<double>(points.size());
+    const auto far = std::ranges::max_element(points, {}, [&](PicturePoint p) { return distance(p, middle); });
+    const auto first = far - points.begin();
+    std::ranges::rotate(points, far);
+    s.pop_back();
+    std::ranges::rotate(s, s.begin() + first);
+    points.push_back(points.front());
+    s.push_back(s.front());
+  }
+  const std::span<const PicturePoint> all(points);
+  std::vector<std::size_t> kept;
+  if (line.closed) {
+    const auto far = std::ranges::max_element(points, {}, [&](PicturePoint p) { return distance(p, points.front()); });
+    const auto half = static_cast<std::size_t>(far - points.begin());
+    kept = geometry::keptPoints(all.first(half + 1), 1.2 * kTremor * size);
+    const auto rest = geometry::keptPoints(all.subspan(half), 1.2 * kTremor * size);
+    for (std::size_t i = 1; i < rest.size(); ++i) kept.push_back(half + rest[i]);
+  } else {
+    kept = geometry::keptPoints(all, 1.2 * kTremor * size);
+  }
+  std::vector<double> shares;
+  if (!line.closed) shares = {0, 1};
+  for (std::size_t i = line.closed ? 0 : 1; i + 1 < kept.size(); ++i) {
+    const PicturePoint here = points[kept[i]];
+    const PicturePoint in = here - points[i == 0 ? kept[kept.size() - 2] : kept[i - 1]],
+                       out = points[kept[i + 1]] - here;
+    if (std::abs(std::atan2(cross(in, out), dot(in, out))) > kEdgeCorner) shares.push_back(s[kept[i]] / line.length());
+  }
+  return shares;
+}
+
+/// The edges that the straight lines of a drawing make.
+class Edges {
+ public:
+  struct Edge {
+    EdgeEnds ends;
+    Run run;
+    bool hidden = false;
+  };
+  Edges(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size) : lines_(lines), corners_(size) {
+    std::vector<std::vector<double>> own;
+    for (const MeasuredLine& line : lines) {
+      own.push_back(sharesOfCorners(line, size));
+      std::ranges::sort(own.back());
+      straight_.push_back(isStraight(line, own.back(), size));
+    }
+    for (const Node& node : nodes) {
+      if (node.kind != NodeKind::Branch || !straight_[node.places[0].line]) continue;
+      for (const Place& place : node.places) {
+        if (straight_[place.line]) own[place.line].push_back(place.share);
+      }
+    }
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+      if (straight_[i]) addLine(i, own[i]);
+    }
+  }
+  const std::vector<Edge>& all() const { return edges_; }
+  const std::vector<PicturePoint>& corners() const { return corners_.at; }
+
+ private:
+  static bool isStraight(const MeasuredLine& line, const std::vector<double>& shares, double size) {
+    const std::size_t n = shares.size();
+    if (n < 2) return false;
+    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < n; ++i) {
+      const double from = shares[i], to = i + 1 < n ? shares[i + 1] : shares[0] + 1;
+      const auto at = [&](double share) { return line.at(share > 1 ? share - 1 : share); };
+      const PicturePoint a = at(from), b = at(to);
+      const double most = kEdgeBend * distance(a, b) + kTremor * size;
+      for (int k = 1; k < 16; ++k) {
+        if (geometry::distanceToSegment(at(from + (to - from) * k / 16), a, b) > most) return false;
+      }
+    }
+    return true;
+  }
+  void addLine(std::uint32_t index, std::vector<double> shares) {
+    const MeasuredLine& line = lines_[index];
+    // The first point of a closed line is a corner, so that no edge leads through it.
+    if (line.closed) shares.push_back(0);
+    std::ranges::sort(shares);
+    std::vector<std::pair<double, Corner>> places;
+    for (const double share : shares) {
+      const Corner corner = corners_.of(line.at(share));
+      if (places.empty() || places.back().second != corner) places.emplace_back(share, corner);
+    }
+    if (line.closed) {
+      if (places.size() > 1 && places.back().second == places.front().second) places.pop_back();
+      places.emplace_back(1, places.front().second);
+    }
+    places.back().first = 1;  // an end stays the end of its line
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) add(index, places[i], places[i + 1]);
+  }
+  void add(std::uint32_t index, std::pair<double, Corner> from, std::pair<double, Corner> to) {
+    const MeasuredLine& line = lines_[index];
+    int hidden = 0;
+    constexpr int kLooks = 17;
+    for (int k = 0; k < kLooks; ++k) {
+      hidden += line.isHidden(from.first + (to.first - from.first) * (k + 0.5) / kLooks) ? 1 : 0;
+    }
+    edges_.push_back({{from.second, to.second}, {index, from.first, to.first}, 2 * hidden > kLooks});
+  }
+
+  std::span<const MeasuredLine> lines_;
+  Corners corners_;
+  std::vector<bool> straight_;
+  std::vector<Edge> edges_;
+};
+
+/// Where a corner of seen faces and one of hidden faces are drawn at one place, away from the silhouette, they are two.
+void splitLayers(Wireframe& solid) {
+  std::set<EdgeEnds> front;
+  std::set<Corner> inFront, onOutline;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    const Wireframe::Face& face = solid.faces[f];
+    for (std::size_t i = 0; solid.isFront[f] && i < face.size(); ++i) {
+      front.insert({face[i], face[(i + 1) % face.size()]});
+      inFront.insert(face[i]);
+    }
+  }
+  for (const auto& [a, b] : front) {
+    if (!front.contains({b, a})) onOutline.insert({a, b});
+  }
+  std::map<Corner, Corner> behind;
+  for (std::size_t f = 0; f < solid.faces.size(); ++f) {
+    for (Corner& corner : solid.faces[f]) {
+      if (solid.isFront[f] || !inFront.contains(corner) || onOutline.contains(corner)) continue;
+      const auto [at, isNew] = behind.try_emplace(corner, static_cast<Corner>(solid.corners.size()));
+      if (isNew) solid.corners.push_back(solid.corners[corner]);
+      corner = at->second;
+    }
+  }
+}
+
+/// The faces of one connected set of edges; none where they are no solid.
+class Solid {
+ public:
+  Solid(const Edges& edges, std::vector<std::uint32_t> chosen) : edges_(edges), chosen_(std::move(chosen)) {}
+
+  /// Cycles of corners, counter-clockwise seen from outside; those in front first.
+  std::optional<Wireframe> make() {
+    std::vector<std::uint32_t> seen, hidden;
+    for (const std::uint32_t e : chosen_) (edges_.all()[e].hidden ? hidden : seen).push_back(e);
+    if (!hasEnoughEdges()) return std::nullopt;
+    const std::optional<Layer> front = layerOf(seen);
+    if (!front) return std::nullopt;
+    std::vector<std::uint32_t> behind = hidden;
+    for (const std::uint32_t e : seen) {
+      if (isOn(front->outer, edges_.all()[e].ends)) behind.push_back(e);
+    }
+    const std::optional<Layer> back = layerOf(behind);
+    if (!back || back->outer.size() != front->outer.size()) return std::nullopt;
+    Wireframe out;
+    out.corners = edges_.corners();
+    out.faces = front->faces;
+    out.isFront.assign(out.faces.size(), true);
+    for (Wireframe::Face face : back->faces) {
+      std::ranges::reverse(face);
+      out.faces.push_back(std::move(face));
+      out.isFront.push_back(false);
+    }
+    Wireframe apart = out;
+    splitLayers(apart);
+    std::set<Corner> used;
+    for (const auto& face : apart.faces) used.insert(face.begin(), face.end());
+    const bool isBall = used.size() + out.faces.size() == chosen_.size() + 2;
+    return isBall && out.faces.size() >= 4 ? std::optional(out) : std::nullopt;
+  }
+
+  /// Where all edges are seen and the silhouette looks the same turned half round its middle: both ends of each edge
+  /// inside it, so turned. Else none.
+  std::vector<std::array<PicturePoint, 2>> turnedEdges(double reach) const {
+    const std::optional<Layer> front = layerOf(chosen_);
+    if (!front || front->outer.size() % 2 == 1) return {};
+    const std::size_t n = front->outer.size();
+    PicturePoint middle{};
+    for (const Corner c : front->outer) middle += at(c) / static_cast<double>(n);
+    std::map<Corner, PicturePoint> turned;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Corner opposite = front->outer[(i + n / 2) % n];
+      const PicturePoint there = middle * 2 - at(front->outer[i]);
+      if (distance(at(opposite), there) > reach) return {};
+      turned[front->outer[i]] = at(opposite);
+    }
+    std::vector<std::array<PicturePoint, 2>> out;
+    for (const std::uint32_t e : chosen_) {
+      const auto [a, b] = edges_.all()[e].ends;
+      if (edges_.all()[e].hidden) return {};
+      if (isOn(front->outer, {a, b})) continue;
+      for (const Corner c : {a, b}) turned.try_emplace(c, middle * 2 - at(c));
+      out.push_back({turned[a], turned[b]});
+    }
+    return out;
+  }
+
+ private:
+  struct Layer {
+    std::vector<Wireframe::Face> faces;
+    Wireframe::Face outer;  ///< counter-clockwise
+  };
+  PicturePoint at(Corner c) const { return edges_.corners()[c]; }
+  /// Three at every corner, or two that go on straight.
+  bool hasEnoughEdges() const {
+    std::map<Corner, std::vector<Corner>> around;
+    std::set<EdgeEnds> all;
+    for (const std::uint32_t e : chosen_) {
+      const auto [a, b] = edges_.all()[e].ends;
+      if (!all.insert(std::minmax(a, b)).second) return false;
+      around[a].push_back(b);
+      around[b].push_back(a);
+    }
+    return std::ranges::all_of(around, [&](const auto& one) {
+      const auto& [corner, others] = one;
+      if (others.size() != 2) return others.size() > 2;
+      const PicturePoint in = at(corner) - at(others[0]), out = at(others[1]) - at(corner);
+      return std::abs(std::atan2(cross(in, out), dot(in, out))) < kStraightOn;
+    });
+  }
+  static bool isOn(const Wireframe::Face& cycle, EdgeEnds ends) {
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const Corner a = cycle[i], b = cycle[(i + 1) % cycle.size()];
+      if (EdgeEnds{a, b} == ends || EdgeEnds{b, a} == ends) return true;
+    }
+    return false;
+  }
+  bool anyCross(const std::vector<std::uint32_t>& layer) const {
+    for (std::size_t i = 0; i < layer.size(); ++i) {
+      for (std::size_t k = i + 1; k < layer.size(); ++k) {
+        const auto [a, b] = edges_.all()[layer[i]].ends;
+        const auto [c, d] = edges_.all()[layer[k]].ends;
+        if (a == c || a == d || b == c || b == d) continue;
+        const PicturePoint r = at(b) - at(a), q = at(d) - at(c);
+        const double whole = cross(r, q);
+        if (whole == 0) continue;
+        const double t = cross(at(c) - at(a), q) / whole, u = cross(at(c) - at(a), r) / whole;
+        if (t >= 0 && t <= 1 && u >= 0 && u <= 1) return true;
+      }
+    }
+    return false;
+  }
+  /// The bounded faces of a plane graph and its outer outline; none where it is not connected, has an end that leads
+  /// nowhere, or edges that cross.
+  std::optional<Layer> layerOf(const std::vector<std::uint32_t>& layer) const {
+    if (layer.size() < 3 || anyCross(layer)) return std::nullopt;
+    std::map<Corner, std::vector<Corner>> around;
+    for (const std::uint32_t e : layer) {
+      const auto [a, b] = edges_.all()[e].ends;
+      around[a].push_back(b);
+      around[b].push_back(a);
+    }
+    for (auto& [corner, others] : around) {
+      if (others.size() < 2) return std::nullopt;
+      // Counter-clockwise with y up.
+      std::ranges::sort(others, {}, [&, here = at(corner)](Corner other) {
+        const PicturePoint way = at(other) - here;
+        return std::atan2(-way.y, way.x);
+      });
+    }
+    Layer out;
+    std::set<EdgeEnds> done;
+    bool hasOuter = false;
+    for (const auto& [start, others] : around) {
+      for (const Corner first : others) {
+        if (done.contains({start, first})) continue;
+        Wireframe::Face face;
+        double area = 0;
+        EdgeEnds step{start, first};
+        while (done.insert(step).second) {
+          face.push_back(step.first);
+          area -= cross(at(step.first), at(step.second)) / 2;
+          // The next edge clockwise from the one that leads back.
+          const auto& ways = around.at(step.second);
+          const auto back = std::ranges::find(ways, step.first);
+          step = {step.second, back == ways.begin() ? ways.back() : *(back - 1)};
+        }
+        if (std::set<Corner>(face.begin(), face.end()).size() != face.size()) return std::nullopt;
+        if (area > 0) {
+          out.faces.push_back(std::move(face));
+        } else if (std::exchange(hasOuter, true)) {
+          return std::nullopt;
+        } else {
+          std::ranges::reverse(face);
+          out.outer = std::move(face);
+        }
+      }
+    }
+    return hasOuter ? std::optional(std::move(out)) : std::nullopt;
+  }
+
+  const Edges& edges_;
+  std::vector<std::uint32_t> chosen_;
+};
+
+/// Edges by what is connected.
+std::vector<std::vector<std::uint32_t>> connected(const Edges& edges) {
+  std::vector<std::uint32_t> root(edges.corners().size());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& edge : edges.all()) root[find(edge.ends.first)] = find(edge.ends.second);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> sets;
+  for (std::uint32_t e = 0; e < edges.all().size(); ++e) sets[find(edges.all()[e].ends.first)].push_back(e);
+  std::vector<std::vector<std::uint32_t>> out;
+  for (auto& [first, set] : sets) out.push_back(std::move(set));
+  // In the order of lines.
+  std::ranges::sort(out);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::vector<Outline>> proposeWireframes(std::span<const MeasuredLine> lines, std::span<const Node> nodes,
+                                                    double size) {
+  std::vector<std::vector<Outline>> out;
+  const Edges edges(lines, nodes, size);
+  for (std::vector<std::uint32_t>& set : connected(edges)) {
+    if (set.size() < 6 || set.size() > kMostCorners * 3) continue;
+    std::map<EdgeEnds, std::uint32_t> between;
+    for (const std::uint32_t e : set) between[std::minmax(edges.all()[e].ends.first, edges.all()[e].ends.second)] = e;
+    const std::optional<Wireframe> wireframe = Solid(edges, std::move(set)).make();
+    if (!wireframe) continue;
+    std::vector<Outline> faces;
+    for (const Wireframe::Face& face : wireframe->faces) {
+      Outline& outline = faces.emplace_back();
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Edges::Edge& edge = edges.all()[between.at(std::minmax(face[i], face[(i + 1) % face.size()]))];
+        const auto [line, from, to] = edge.run;
+        outline.push_back(edge.ends.first == face[i] ? Run{line, from, to} : Run{line, to, from});
+      }
+    }
+    const Result<Wireframe> given = wireframeOf(lines, faces, size);
+    if (given && isSquare(given.value(), size)) out.push_back(std::move(faces));
+  }
+  return out;
+}
+
+Result<std::vector<Line>> missingEdges(std::span<const Line> lines) {
+  const double size = sizeOf(lines);
+  const auto measured = meetingLines(lines);
+  if (!measured) return measured.failure();
+  const Edges edges(measured.value(), nodesOf(measured.value(), size), size);
+  std::vector<Line> added, whole(lines.begin(), lines.end());
+  for (std::vector<std::uint32_t>& set : connected(edges)) {
+    if (set.size() < 6 || set.size() > kMostCorners * 3) continue;
+    std::vector<Line> some;
+    for (const auto& [a, b] : Solid(edges, std::move(set)).turnedEdges(2 * kSameCorner * size)) {
+      some.push_back({{a, b}, {{0, 1}}, false});
+    }
+    std::vector<Line> with = whole;
+    with.insert(with.end(), some.begin(), some.end());
+    const auto meeting = meetingLines(with);
+    if (some.empty() || !meeting) continue;
+    const auto isNew = [&](const Run& run) { return run.line >= whole.size(); };
+    for (const auto& faces : proposeWireframes(meeting.value(), nodesOf(meeting.value(), size), size)) {
+      if (!std::ranges::any_of(faces, [&](const Outline& face) { return std::ranges::any_of(face, isNew); })) continue;
+      added.insert(added.end(), some.begin(), some.end());
+      whole = std::move(with);
+      break;
+    }
+  }
+  return added;
+}
+
+std::vector<Piece> proposePieces(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size) {
+  std::vector<Piece> pieces;
+  std::vector<bool> isEdge(lines.size(), false);
+  for (std::vector<Outline>& faces : proposeWireframes(lines, nodes, size)) {
+    for (const Outline& face : faces) {
+      for (const Run& run : face) isEdge[run.line] = true;
+    }
+    Piece& piece = pieces.emplace_back();
+    piece.kind = PieceKind::Solid;
+    piece.outlines = std::move(faces);
+  }
+  for (Outline& outline : proposeOutlines(lines, nodes)) {
+    if (std::ranges::all_of(outline, [&](const Run& run) { return isEdge[run.line]; })) continue;
+    pieces.emplace_back().outlines = {std::move(outline)};
+  }
+  std::ranges::stable_sort(pieces, {}, [](const Piece& piece) { return piece.outlines[0][0].line; });
+  return pieces;
+}
+
+namespace {
+
+/// Faces as cycles of corners, with the way along each edge.
+struct DrawnFaces {
+  Wireframe wireframe;
+  std::map<EdgeEnds, Run> runs;  ///< by an edge as its face goes along it; none where a gap closes straight
+};
+
+Result<DrawnFaces> drawnFaces(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
+  DrawnFaces out;
+  Corners corners(size);
+  for (const Outline& outline : faces) {
+    if (const Result<OutlinePath> path = pathOf(lines, outline); !path) return path.failure();
+    Wireframe::Face face;
+    for (const Run& run : outline) {
+      const Corner from = corners.of(lines[run.line].at(run.from)), to = corners.of(lines[run.line].at(run.to));
+      if (face.empty() || face.back() != from) face.push_back(from);
+      if (to == from) continue;
+      face.push_back(to);
+      out.runs[{from, to}] = run;
+    }
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    out.wireframe.faces.push_back(std::move(face));
+  }
+  out.wireframe.corners = std::move(corners.at);
+  return out;
+}
+
+/// Each edge in two faces, once each way.
+bool isClosed(const std::vector<Wireframe::Face>& faces) {
+  std::set<EdgeEnds> edges;
+  for (const auto& face : faces) {
+    if (face.size() < 3) return false;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      if (!edges.insert({face[i], face[(i + 1) % face.size()]}).second) return false;
+    }
+  }
+  return std::ranges::all_of(edges, [&](EdgeEnds edge) { return edges.contains({edge.second, edge.first}); });
+}
+
+}  // namespace
+
+Result<Wireframe> wireframeOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
+  Result<DrawnFaces> drawn = drawnFaces(lines, faces, size);
+  if (!drawn) return drawn.failure();
+  Wireframe out = std::move(drawn.value().wireframe);
+  if (out.corners.size() > kMostCorners || out.faces.size() > kMostFaces) {
+    return Failure{Error::ShapeInvalid, "at most " + std::to_string(kMostCorners) + " corners and faces"};
+  }
+  for (const auto& face : out.faces) {
+    double area = 0;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      area -= cross(out.corners[face[i]], out.corners[face[(i + 1) % face.size()]]) / 2;
+    }
+    out.isFront.push_back(area > 0);
+  }
+  splitLayers(out);
+  const auto fronts = std::ranges::count(out.isFront, true);
+  if (!isClosed(out.faces) || fronts == 0 || static_cast<std::size_t>(fronts) == out.faces.size()) {
+    return Failure{Error::ShapeInvalid, "every edge is one of two faces, and some face is seen"};
+  }
+  return out;
+}
+
+Result<Outline> silhouetteOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
+  const Result<Wireframe> solid = wireframeOf(lines, faces, size);
+  if (!solid) return solid.failure();
+  const Result<DrawnFaces> drawn = drawnFaces(lines, faces, size);
+  std::set<EdgeEnds> seen;
+  for (std::size_t f = 0; f < solid.value().faces.size(); ++f) {
+    const Wireframe::Face& face = solid.value().faces[f];
+    for (std::size_t i = 0; solid.value().isFront[f] && i < face.size(); ++i) {
+      seen.insert({face[i], face[(i + 1) % face.size()]});
+    }
+  }
+  // What two seen faces have on both sides is inside.
+  std::map<Corner, Corner> next;
+  for (const auto& [a, b] : seen) {
+    if (!seen.contains({b, a})) next[a] = b;
+  }
+  Outline out;
+  const Corner start = next.begin()->first;
+  Corner here = start;
+  for (std::size_t k = 0; k < next.size() && next.contains(here); ++k) {
+    const EdgeEnds edge{here, next.at(here)};
+    if (const auto run = drawn.value().runs.find(edge); run != drawn.value().runs.end()) out.push_back(run->second);
+    here = edge.second;
+    if (here == start && k + 1 == next.size()) return out;
+  }
+  return Failure{Error::ShapeInvalid, "what is seen of it has more than one outline"};
+}
+
+}  // namespace spineloft::descriptive
