@@ -11,6 +11,33 @@
 
 namespace spineloft::descriptive {
 
+namespace {
+
+/// From corner to corner: ends of lines that are drawn past a corner, or not as far, are at it.
+OutlinePath straightPath(std::span<const MeasuredLine> lines, const Outline& outline, double size) {
+  OutlinePath path;
+  const auto add = [&](PicturePoint p, Place place, bool hidden) {
+    path.points.push_back(p);
+    path.places.push_back(place);
+    path.hidden.push_back(hidden);
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Run &before = outline[(i + outline.size() - 1) % outline.size()], &run = outline[i];
+    const PicturePoint arrival = lines[before.line].at(before.to), start = lines[run.line].at(run.from);
+    const bool isHidden = lines[run.line].isHidden((run.from + run.to) / 2);
+    if (distance(arrival, start) <= 2 * kSameCorner * size) {
+      add((arrival + start) / 2, {run.line, run.from}, isHidden);
+    } else {
+      // An edge whose line is gone.
+      add(arrival, {before.line, before.to}, false);
+      add(start, {run.line, run.from}, isHidden);
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
 Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, double size, image::Size board) {
   Sheet sheet;
   geometry::Contours drawn;
@@ -23,6 +50,7 @@ Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, d
   for (const Outline& outline : outlines) {
     Result<OutlinePath> path = pathOf(lines, outline);
     if (!path) return path.failure();
+    if (piece.kind == PieceKind::Solid) path = straightPath(lines, outline, size);
     drawn.push_back(path.value().points);
     sheet.outlines.push_back(std::move(path).value());
   }

@@ -240,13 +240,32 @@ class Solid {
       if (distance(at(opposite), there) > reach) return {};
       turned[front->outer[i]] = at(opposite);
     }
-    std::vector<std::array<PicturePoint, 2>> out;
+    std::map<Corner, std::vector<Corner>> inside;
     for (const std::uint32_t e : chosen_) {
       const auto [a, b] = edges_.all()[e].ends;
       if (edges_.all()[e].hidden) return {};
       if (isOn(front->outer, {a, b})) continue;
-      for (const Corner c : {a, b}) turned.try_emplace(c, middle * 2 - at(c));
-      out.push_back({turned[a], turned[b]});
+      inside[a].push_back(b);
+      inside[b].push_back(a);
+    }
+    // One line from corner to corner, through places where an edge goes straight on.
+    const auto goesOn = [&](Corner c) { return inside[c].size() == 2 && !turned.contains(c); };
+    std::set<Corner> passed;
+    for (const auto& [corner, others] : inside) passed.insert(corner);
+    std::erase_if(passed, [&](Corner c) { return !goesOn(c); });
+    std::vector<std::array<PicturePoint, 2>> out;
+    for (const auto& [start, others] : inside) {
+      if (passed.contains(start)) continue;
+      for (const Corner first : others) {
+        Corner before = start, here = first;
+        while (passed.contains(here)) {
+          const Corner next = inside[here][0] == before ? inside[here][1] : inside[here][0];
+          before = std::exchange(here, next);
+        }
+        if (start >= here) continue;
+        const auto placeOf = [&](Corner c) { return turned.contains(c) ? turned[c] : middle * 2 - at(c); };
+        out.push_back({placeOf(start), placeOf(here)});
+      }
     }
     return out;
   }

@@ -203,3 +203,61 @@ test('bridges by keyboard and by a screen reader; round and flat; a reload and t
     await idle(page);
     assert.ok((await exported(page, 'glb')).equals(glb));
   }));
+
+/** The nine edges of a box that are seen, each drawn by a hand that trembles by 2 pixels. */
+const kBoxCorners = [
+  [180, 150],
+  [330, 185],
+  [420, 135],
+  [276, 108],
+  [180, 300],
+  [330, 345],
+  [420, 285],
+];
+const kBoxEdges = [
+  [0, 1],
+  [1, 2],
+  [2, 3],
+  [3, 0],
+  [0, 4],
+  [1, 5],
+  [2, 6],
+  [4, 5],
+  [5, 6],
+];
+const edge = ([from, to], k) =>
+  Array.from({ length: 9 }, (_, i) =>
+    [0, 1].map((axis) => {
+      const [a, b] = [kBoxCorners[from][axis], kBoxCorners[to][axis]];
+      return a + ((b - a) * i) / 8 + 2 * Math.sin(7 * i + 3 * k + 2 * axis);
+    }),
+  );
+
+for (const [device, size, options] of kHands.filter(([hand]) => hand !== 'finger')) {
+  test(`the nine seen edges of a box make a box with plane faces, which is undone line by line: ${device}, ${size}`, () =>
+    onPage(kit, options, async (page) => {
+      await paper(page, device);
+      for (const [k, ends] of kBoxEdges.entries()) await draw(page, device, edge(ends, k));
+      await idle(page);
+      const { drawings, parts } = await state(page);
+      assert.equal(parts.length, 1);
+      assert.equal(drawings[0].lines.length, 12);
+      assert.equal(drawings[0].pieces[0].kind, 'solid');
+      assert.equal(drawings[0].pieces[0].outlines.length, 6);
+      const before = await model(page);
+      await run(page, 'undo');
+      await idle(page);
+      assert.equal((await state(page)).drawings[0].lines.length, 8);
+      await run(page, 'redo');
+      await idle(page);
+      assert.ok((await model(page)).equals(before));
+      await run(page, 'shape-piece', { kind: 'round' });
+      await idle(page);
+      assert.equal((await state(page)).drawings[0].pieces[0].outlines.length, 1);
+      await run(page, 'shape-piece', { kind: 'solid' });
+      await idle(page);
+      assert.ok((await model(page)).equals(before));
+      await reload(page);
+      assert.equal((await state(page)).drawings[0].pieces[0].kind, 'solid');
+    }));
+}

@@ -218,6 +218,17 @@ void tellContradiction(Env env, PictureId picture, std::size_t before) {
   sendHint(env.host, "Two pieces are both drawn as in front. Tap the bridge there to swap them.");
 }
 
+/// Whether a piece has plane faces now that had none, or was not there.
+bool becomesEdged(const document::Document& before, const document::Document& after) {
+  const auto isEdged = [](const document::Part* part) {
+    const document::ElementRecipe* element = part ? document::elementOf(*part) : nullptr;
+    return element != nullptr && element->kind == descriptive::PieceKind::Solid;
+  };
+  return std::ranges::any_of(after.parts, [&](const document::Part& part) {
+    return isEdged(&part) && !isEdged(document::findPart(before, part.id));
+  });
+}
+
 /// Carries a line out and takes the piece that comes of it in hand.
 Outcome closing(Env env, const document::Action& action, PictureId picture) {
   const document::Document& document = env.studio.document();
@@ -225,6 +236,7 @@ Outcome closing(Env env, const document::Action& action, PictureId picture) {
   const Result<document::Document> next = document::update(document, action);
   if (!next) return refuse(next.failure());
   const std::size_t contradicted = contradictions(env, picture);
+  const bool isEdged = becomesEdged(document, next.value());
   std::vector<document::Action> actions{action};
   if (auto places = placesOf(env, next.value(), picture, last); !places.empty()) {
     actions.push_back(document::PlaceParts{std::move(places)});
@@ -237,6 +249,11 @@ Outcome closing(Env env, const document::Action& action, PictureId picture) {
   for (const document::Part& part : env.studio.document().parts) {
     if (part.id > last) made = &part;
   }
+  if (isEdged) {
+    env.ui.framePending = true;
+    sendStatus(env.host, "These edges make one piece with plane faces.");
+    if (made == nullptr) return {};
+  }
   if (made == nullptr) {
     const bool open = !looseEndsOn(env.studio.document(), env.studio.derived(), picture).empty();
     sendStatus(env.host, open ? "A line is not closed: draw on from its ring, or tap the ring to close it." : "");
@@ -245,7 +262,7 @@ Outcome closing(Env env, const document::Action& action, PictureId picture) {
   env.ui.selection = made->id;
   env.ui.alsoSelected.clear();
   env.ui.framePending = true;
-  sendStatus(env.host, words::tr("{name} is made.", {{"name", words::nameOf(made->name)}, {"n", 0}}));
+  if (!isEdged) sendStatus(env.host, words::tr("{name} is made.", {{"name", words::nameOf(made->name)}, {"n", 0}}));
   return {};
 }
 
