@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/descriptive/solids.h"
+#include "engine/descriptive/square.h"
 #include "engine/descriptive/wireframe.h"
 
 namespace spineloft::descriptive {
@@ -52,17 +53,14 @@ class Maker {
   Maker(const Drawing& drawing, const ModelOptions& options) : drawing_(drawing), options_(options) {}
 
   Result<Model> make() {
-    std::vector<Line> drawn = drawing_.lines;
-    if (drawing_.pieces.empty()) {
-      Result<std::vector<Line>> missing = missingEdges(drawn);
-      if (!missing) return missing.failure();
-      drawn.insert(drawn.end(), missing.value().begin(), missing.value().end());
-    }
-    Result<std::vector<MeasuredLine>> lines = meetingLines(drawn);
-    if (!lines) return lines.failure();
-    lines_ = std::move(lines).value();
     model_.size = sizeOf(drawing_.lines);
-    model_.nodes = nodesOf(lines_, model_.size);
+    if (Status measured = measure(drawing_.lines); !measured) return measured.failure();
+    if (drawing_.pieces.empty()) {
+      std::vector<Line> drawn = drawing_.lines;
+      const std::vector<Line> missing = missingEdges(drawn, lines_, model_.nodes);
+      drawn.insert(drawn.end(), missing.begin(), missing.end());
+      if (Status measured = missing.empty() ? Status(Done{}) : measure(drawn); !measured) return measured.failure();
+    }
     if (Status status = choosePieces(); !status) return status.failure();
     findOpenLines();
     makePatches();
@@ -86,6 +84,13 @@ class Maker {
   }
 
  private:
+  Status measure(std::span<const Line> drawn) {
+    Result<std::vector<MeasuredLine>> lines = meetingLines(drawn);
+    if (!lines) return lines.failure();
+    lines_ = std::move(lines).value();
+    model_.nodes = nodesOf(lines_, model_.size);
+    return Done{};
+  }
   Status choosePieces() {
     model_.pieces = drawing_.pieces;
     if (model_.pieces.empty()) {
@@ -196,10 +201,14 @@ class Maker {
     for (const Pin& pin : drawing_.pins) {
       for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
         if (!holdsPlace(pieces_[i], pin.at)) continue;
-        const PiecePlace place = rimAt(i, lines_[pin.at.line].at(pin.at.share));
+        const PicturePoint p = lines_[pin.at.line].at(pin.at.share);
+        // What has plane faces is moved as a whole: its edges, also those inside, are as deep as they are.
+        const FacedSolid* faced = patches_[i].faced();
+        const PiecePlace place = faced != nullptr ? PiecePlace{i, {{0, 0, 0}, {1, 0, 0}}} : rimAt(i, p);
+        const double more = faced != nullptr ? patches_[i].riseAt(place.at) - depthOnEdge(*faced, scale_.of(p)) : 0.0;
         std::erase_if(
             pins_, [&](const DepthPin& other) { return other.at.piece == i && other.at.at.points == place.at.points; });
-        pins_.push_back({place, pin.z / scale_.size});
+        pins_.push_back({place, pin.z / scale_.size + more});
       }
     }
   }

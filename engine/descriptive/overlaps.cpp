@@ -10,7 +10,6 @@
 #include "engine/descriptive/wireframe.h"
 
 namespace spineloft::descriptive {
-
 namespace {
 
 /// From corner to corner: ends of lines that are drawn past a corner, or not as far, are at it.
@@ -48,9 +47,9 @@ Result<Sheet> sheetOf(std::span<const MeasuredLine> lines, const Piece& piece, d
     outlines = {std::move(silhouette).value()};
   }
   for (const Outline& outline : outlines) {
-    Result<OutlinePath> path = pathOf(lines, outline);
+    Result<OutlinePath> path =
+        piece.kind == PieceKind::Solid ? straightPath(lines, outline, size) : pathOf(lines, outline);
     if (!path) return path.failure();
-    if (piece.kind == PieceKind::Solid) path = straightPath(lines, outline, size);
     drawn.push_back(path.value().points);
     sheet.outlines.push_back(std::move(path).value());
   }

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "engine/descriptive/planarity.h"
+#include "engine/descriptive/square.h"
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
 #include "engine/inflate/cushion.h"
@@ -348,43 +348,32 @@ class Cover {
   std::vector<Face> faces_;
 };
 
-/// The edges of faces seen from the front: those of its outline, as a cycle of corners, and those inside; and those
-/// inside that are seen from behind.
+/// The outline of faces seen from the front, as a cycle of corners; and edges inside it, by whether their faces are
+/// seen from the front or from behind.
 struct SeenEdges {
   std::vector<std::uint32_t> outline;
   std::vector<std::array<std::uint32_t, 2>> inside, behind;
 };
 SeenEdges seenEdges(const FacedSolid& solid) {
-  std::set<std::array<std::uint32_t, 2>> front, back;
+  std::vector<bool> isFront;
+  std::array<std::set<std::array<std::uint32_t, 2>>, 2> edges;  // from behind, from the front
   for (const Wireframe::Face& face : solid.faces) {
     double area = 0;
     for (std::size_t i = 0; i < face.size(); ++i) {
       const ModelPoint a = solid.corners[face[i]], b = solid.corners[face[(i + 1) % face.size()]];
       area += a.x * b.y - a.y * b.x;
     }
+    isFront.push_back(area > 0);
     for (std::size_t i = 0; i < face.size(); ++i) {
-      (area > 0 ? front : back).insert({face[i], face[(i + 1) % face.size()]});
+      edges[isFront.back()].insert({face[i], face[(i + 1) % face.size()]});
     }
   }
-  SeenEdges out;
-  std::map<std::uint32_t, std::uint32_t> next;
-  for (const auto& [a, b] : front) {
-    if (!front.contains({b, a})) {
-      next[a] = b;
-    } else if (a < b) {
-      out.inside.push_back({a, b});
+  SeenEdges out{outerCycle(solid.faces, isFront), {}, {}};
+  for (const bool front : {false, true}) {
+    for (const auto& [a, b] : edges[front]) {
+      if (a < b && edges[front].contains({b, a})) (front ? out.inside : out.behind).push_back({a, b});
     }
   }
-  for (const auto& [a, b] : back) {
-    if (a < b && back.contains({b, a})) out.behind.push_back({a, b});
-  }
-  for (auto here = next.begin(); here != next.end(); here = next.find(out.outline.back())) {
-    if (!out.outline.empty() && here->second == out.outline.front()) break;
-    if (out.outline.empty()) out.outline.push_back(here->first);
-    out.outline.push_back(here->second);
-    if (out.outline.size() > next.size()) break;
-  }
-  if (out.outline.size() != next.size()) out.outline.clear();
   return out;
 }
 

@@ -9,11 +9,12 @@
 
 #include "engine/base/result.h"
 #include "engine/descriptive/overlaps.h"
-#include "engine/descriptive/square.h"
 #include "engine/geometry/qp.h"
 #include "engine/geometry/refine.h"
 
 namespace spineloft::descriptive {
+
+struct FacedSolid;
 
 /// A place of a mesh as three of its points with weights that sum to 1.
 struct MeshPlace {

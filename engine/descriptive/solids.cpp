@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/descriptive/square.h"
 #include "engine/geometry/triangulate.h"
 #include "engine/mesh/two_sided.h"
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -19,7 +21,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 /// Directions that differ by less, on average, are one.
 constexpr double kOneDirection = 9 * kPi / 180;
 /// A longer dz per length is a direction towards the eye, which the picture does not show.
@@ -351,6 +353,23 @@ class Squarer {
 
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale) {
   return Squarer(wireframe, scale).make();
+}
+
+double depthOnEdge(const FacedSolid& solid, SectionPoint p) {
+  double depth = 0, least = std::numeric_limits<double>::infinity();
+  for (const Wireframe::Face& face : solid.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const ModelPoint a = solid.corners[face[i]], b = solid.corners[face[(i + 1) % face.size()]];
+      const SectionPoint from{a.x, a.y}, along = SectionPoint{b.x, b.y} - from;
+      const double squared = dot(along, along);
+      const double t = squared > 0 ? std::clamp(dot(p - from, along) / squared, 0.0, 1.0) : 0.0;
+      const double away = distance(p, from + along * t);
+      if (away >= least) continue;
+      least = away;
+      depth = a.z + (b.z - a.z) * t;
+    }
+  }
+  return depth;
 }
 
 bool isSquare(const Wireframe& wireframe, double size) {

@@ -26,6 +26,9 @@ struct FacedSolid {
 /// right-angled, or faces that cannot be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 
+/// The depth of the edge that is nearest to p, there; all in shares of the size.
+double depthOnEdge(const FacedSolid& solid, SectionPoint p);
+
 /// Whether it is a solid with right angles: no corner has to move by more than kMostMoved.
 bool isSquare(const Wireframe& wireframe, double size);
 

@@ -167,22 +167,16 @@ class Edges {
 
 /// Where a corner of seen faces and one of hidden faces are drawn at one place, away from the silhouette, they are two.
 void splitLayers(Wireframe& solid) {
-  std::set<EdgeEnds> front;
-  std::set<Corner> inFront, onOutline;
+  const std::vector<Corner> outline = outerCycle(solid.faces, solid.isFront);
+  std::set<Corner> inside;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
-    const Wireframe::Face& face = solid.faces[f];
-    for (std::size_t i = 0; solid.isFront[f] && i < face.size(); ++i) {
-      front.insert({face[i], face[(i + 1) % face.size()]});
-      inFront.insert(face[i]);
-    }
+    if (solid.isFront[f]) inside.insert(solid.faces[f].begin(), solid.faces[f].end());
   }
-  for (const auto& [a, b] : front) {
-    if (!front.contains({b, a})) onOutline.insert({a, b});
-  }
+  for (const Corner corner : outline) inside.erase(corner);
   std::map<Corner, Corner> behind;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     for (Corner& corner : solid.faces[f]) {
-      if (solid.isFront[f] || !inFront.contains(corner) || onOutline.contains(corner)) continue;
+      if (solid.isFront[f] || !inside.contains(corner)) continue;
       const auto [at, isNew] = behind.try_emplace(corner, static_cast<Corner>(solid.corners.size()));
       if (isNew) solid.corners.push_back(solid.corners[corner]);
       corner = at->second;
@@ -386,14 +380,36 @@ std::vector<std::vector<std::uint32_t>> connected(const Edges& edges) {
   return out;
 }
 
+/// A tetrahedron has six edges; more than this are no drawing by hand.
+bool isEnough(const std::vector<std::uint32_t>& edges) { return edges.size() >= 6 && edges.size() <= 3 * kMostCorners; }
+
 }  // namespace
+
+std::vector<std::uint32_t> outerCycle(std::span<const Wireframe::Face> faces, const std::vector<bool>& isChosen) {
+  std::set<EdgeEnds> chosen;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t i = 0; isChosen[f] && i < faces[f].size(); ++i) {
+      chosen.insert({faces[f][i], faces[f][(i + 1) % faces[f].size()]});
+    }
+  }
+  std::map<Corner, Corner> next;
+  for (const auto& [a, b] : chosen) {
+    if (!chosen.contains({b, a})) next[a] = b;
+  }
+  std::vector<Corner> cycle;
+  for (auto at = next.begin(); at != next.end() && cycle.size() < next.size(); at = next.find(at->second)) {
+    cycle.push_back(at->first);
+  }
+  const bool isOne = cycle.size() > 2 && cycle.size() == next.size() && next.at(cycle.back()) == cycle.front();
+  return isOne ? cycle : std::vector<Corner>{};
+}
 
 std::vector<std::vector<Outline>> proposeWireframes(std::span<const MeasuredLine> lines, std::span<const Node> nodes,
                                                     double size) {
   std::vector<std::vector<Outline>> out;
   const Edges edges(lines, nodes, size);
   for (std::vector<std::uint32_t>& set : connected(edges)) {
-    if (set.size() < 6 || set.size() > kMostCorners * 3) continue;
+    if (!isEnough(set)) continue;
     std::map<EdgeEnds, std::uint32_t> between;
     for (const std::uint32_t e : set) between[std::minmax(edges.all()[e].ends.first, edges.all()[e].ends.second)] = e;
     const std::optional<Wireframe> wireframe = Solid(edges, std::move(set)).make();
@@ -413,29 +429,29 @@ std::vector<std::vector<Outline>> proposeWireframes(std::span<const MeasuredLine
   return out;
 }
 
-Result<std::vector<Line>> missingEdges(std::span<const Line> lines) {
+std::vector<Line> missingEdges(std::span<const Line> lines, std::span<const MeasuredLine> measured,
+                               std::span<const Node> nodes) {
   const double size = sizeOf(lines);
-  const auto measured = meetingLines(lines);
-  if (!measured) return measured.failure();
-  const Edges edges(measured.value(), nodesOf(measured.value(), size), size);
+  const Edges edges(measured, nodes, size);
   std::vector<Line> added, whole(lines.begin(), lines.end());
   for (std::vector<std::uint32_t>& set : connected(edges)) {
-    if (set.size() < 6 || set.size() > kMostCorners * 3) continue;
+    if (!isEnough(set)) continue;
     std::vector<Line> some;
     for (const auto& [a, b] : Solid(edges, std::move(set)).turnedEdges(2 * kSameCorner * size)) {
       some.push_back({{a, b}, {{0, 1}}, false});
     }
+    if (some.empty()) continue;
     std::vector<Line> with = whole;
     with.insert(with.end(), some.begin(), some.end());
     const auto meeting = meetingLines(with);
-    if (some.empty() || !meeting) continue;
-    const auto isNew = [&](const Run& run) { return run.line >= whole.size(); };
-    for (const auto& faces : proposeWireframes(meeting.value(), nodesOf(meeting.value(), size), size)) {
-      if (!std::ranges::any_of(faces, [&](const Outline& face) { return std::ranges::any_of(face, isNew); })) continue;
-      added.insert(added.end(), some.begin(), some.end());
-      whole = std::move(with);
-      break;
-    }
+    if (!meeting) continue;
+    const auto hasNew = [&](const Outline& face) {
+      return std::ranges::any_of(face, [&](const Run& run) { return run.line >= whole.size(); });
+    };
+    const auto solids = proposeWireframes(meeting.value(), nodesOf(meeting.value(), size), size);
+    if (std::ranges::none_of(solids, [&](const auto& faces) { return std::ranges::any_of(faces, hasNew); })) continue;
+    added.insert(added.end(), some.begin(), some.end());
+    whole = std::move(with);
   }
   return added;
 }
@@ -467,26 +483,6 @@ struct DrawnFaces {
   std::map<EdgeEnds, Run> runs;  ///< by an edge as its face goes along it; none where a gap closes straight
 };
 
-Result<DrawnFaces> drawnFaces(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
-  DrawnFaces out;
-  Corners corners(size);
-  for (const Outline& outline : faces) {
-    if (const Result<OutlinePath> path = pathOf(lines, outline); !path) return path.failure();
-    Wireframe::Face face;
-    for (const Run& run : outline) {
-      const Corner from = corners.of(lines[run.line].at(run.from)), to = corners.of(lines[run.line].at(run.to));
-      if (face.empty() || face.back() != from) face.push_back(from);
-      if (to == from) continue;
-      face.push_back(to);
-      out.runs[{from, to}] = run;
-    }
-    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
-    out.wireframe.faces.push_back(std::move(face));
-  }
-  out.wireframe.corners = std::move(corners.at);
-  return out;
-}
-
 /// Each edge in two faces, once each way.
 bool isClosed(const std::vector<Wireframe::Face>& faces) {
   std::set<EdgeEnds> edges;
@@ -499,56 +495,62 @@ bool isClosed(const std::vector<Wireframe::Face>& faces) {
   return std::ranges::all_of(edges, [&](EdgeEnds edge) { return edges.contains({edge.second, edge.first}); });
 }
 
-}  // namespace
-
-Result<Wireframe> wireframeOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
-  Result<DrawnFaces> drawn = drawnFaces(lines, faces, size);
-  if (!drawn) return drawn.failure();
-  Wireframe out = std::move(drawn.value().wireframe);
-  if (out.corners.size() > kMostCorners || out.faces.size() > kMostFaces) {
+Result<DrawnFaces> drawnFaces(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
+  DrawnFaces out;
+  Wireframe& solid = out.wireframe;
+  Corners corners(size);
+  for (const Outline& outline : faces) {
+    if (const Result<OutlinePath> path = pathOf(lines, outline); !path) return path.failure();
+    Wireframe::Face face;
+    for (const Run& run : outline) {
+      const Corner from = corners.of(lines[run.line].at(run.from)), to = corners.of(lines[run.line].at(run.to));
+      if (face.empty() || face.back() != from) face.push_back(from);
+      if (to == from) continue;
+      face.push_back(to);
+      out.runs[{from, to}] = run;
+    }
+    while (face.size() > 1 && face.front() == face.back()) face.pop_back();
+    solid.faces.push_back(std::move(face));
+  }
+  solid.corners = std::move(corners.at);
+  if (solid.corners.size() > kMostCorners || solid.faces.size() > kMostFaces) {
     return Failure{Error::ShapeInvalid, "at most " + std::to_string(kMostCorners) + " corners and faces"};
   }
-  for (const auto& face : out.faces) {
+  for (const auto& face : solid.faces) {
     double area = 0;
     for (std::size_t i = 0; i < face.size(); ++i) {
-      area -= cross(out.corners[face[i]], out.corners[face[(i + 1) % face.size()]]) / 2;
+      area -= cross(solid.corners[face[i]], solid.corners[face[(i + 1) % face.size()]]) / 2;
     }
-    out.isFront.push_back(area > 0);
+    solid.isFront.push_back(area > 0);
   }
-  splitLayers(out);
-  const auto fronts = std::ranges::count(out.isFront, true);
-  if (!isClosed(out.faces) || fronts == 0 || static_cast<std::size_t>(fronts) == out.faces.size()) {
+  splitLayers(solid);
+  const auto fronts = std::ranges::count(solid.isFront, true);
+  if (!isClosed(solid.faces) || fronts == 0 || static_cast<std::size_t>(fronts) == solid.faces.size()) {
     return Failure{Error::ShapeInvalid, "every edge is one of two faces, and some face is seen"};
   }
   return out;
 }
 
+}  // namespace
+
+Result<Wireframe> wireframeOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
+  Result<DrawnFaces> drawn = drawnFaces(lines, faces, size);
+  if (!drawn) return drawn.failure();
+  return std::move(drawn.value().wireframe);
+}
+
 Result<Outline> silhouetteOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size) {
-  const Result<Wireframe> solid = wireframeOf(lines, faces, size);
-  if (!solid) return solid.failure();
   const Result<DrawnFaces> drawn = drawnFaces(lines, faces, size);
-  std::set<EdgeEnds> seen;
-  for (std::size_t f = 0; f < solid.value().faces.size(); ++f) {
-    const Wireframe::Face& face = solid.value().faces[f];
-    for (std::size_t i = 0; solid.value().isFront[f] && i < face.size(); ++i) {
-      seen.insert({face[i], face[(i + 1) % face.size()]});
-    }
-  }
-  // What two seen faces have on both sides is inside.
-  std::map<Corner, Corner> next;
-  for (const auto& [a, b] : seen) {
-    if (!seen.contains({b, a})) next[a] = b;
-  }
+  if (!drawn) return drawn.failure();
+  const auto& [solid, runs] = drawn.value();
+  const std::vector<Corner> cycle = outerCycle(solid.faces, solid.isFront);
   Outline out;
-  const Corner start = next.begin()->first;
-  Corner here = start;
-  for (std::size_t k = 0; k < next.size() && next.contains(here); ++k) {
-    const EdgeEnds edge{here, next.at(here)};
-    if (const auto run = drawn.value().runs.find(edge); run != drawn.value().runs.end()) out.push_back(run->second);
-    here = edge.second;
-    if (here == start && k + 1 == next.size()) return out;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const auto run = runs.find({cycle[i], cycle[(i + 1) % cycle.size()]});
+    if (run != runs.end()) out.push_back(run->second);
   }
-  return Failure{Error::ShapeInvalid, "what is seen of it has more than one outline"};
+  if (out.empty()) return Failure{Error::ShapeInvalid, "what is seen of it has more than one outline"};
+  return out;
 }
 
 }  // namespace spineloft::descriptive

@@ -33,9 +33,10 @@ std::vector<Piece> proposePieces(std::span<const MeasuredLine> lines, std::span<
 
 /// Hidden edges that nobody drew: straight hidden lines behind seen edges whose silhouette is the same when it is
 /// turned half round its middle (a box, a prism over a regular hexagon). The hidden edges are the seen ones inside it,
-/// so turned. Only lines with which a piece of kind Solid comes about that is none without them. Errors: those of
-/// meetingLines.
-Result<std::vector<Line>> missingEdges(std::span<const Line> lines);
+/// so turned. Only lines with which a piece of kind Solid comes about that is none without them. `measured`, `nodes`:
+/// meetingLines and nodesOf of `lines`.
+std::vector<Line> missingEdges(std::span<const Line> lines, std::span<const MeasuredLine> measured,
+                               std::span<const Node> nodes);
 
 /// The solid that these outlines are the faces of: ends of runs within kSameCorner of the size are one corner. Errors:
 /// those of pathOf for a run; ShapeInvalid where an edge is not in two faces, one each way, or no face is seen.
@@ -44,6 +45,10 @@ Result<Wireframe> wireframeOf(std::span<const MeasuredLine> lines, std::span<con
 /// The outline of what is seen of it: runs between a face that is seen and one that is not. Errors: those of
 /// wireframeOf.
 Result<Outline> silhouetteOf(std::span<const MeasuredLine> lines, std::span<const Outline> faces, double size);
+
+/// The corners of the one cycle of edges that a face with `isChosen` has and no other such face has the other way;
+/// empty where there are several cycles, or none.
+std::vector<std::uint32_t> outerCycle(std::span<const Wireframe::Face> faces, const std::vector<bool>& isChosen);
 
 inline constexpr double kSameCorner = 0.03;  ///< shares of the size
 inline constexpr double kEdgeCorner = 0.6;   ///< a line has a corner where it turns by more, radians

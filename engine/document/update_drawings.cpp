@@ -51,6 +51,16 @@ void editPieces(Document& document, DrawingId drawing, const Change& change) {
   for (const PartId id : gone) erasePart(document, id);
 }
 
+/// Outlines whose lines count by their place in the list, as the document has them.
+std::vector<LineOutline> outlinesOf(const Drawing& drawing, const std::vector<descriptive::Outline>& outlines) {
+  std::vector<LineOutline> out;
+  for (const descriptive::Outline& runs : outlines) {
+    LineOutline& outline = out.emplace_back();
+    for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing.lines[line].id, from, to});
+  }
+  return out;
+}
+
 /// Makes pieces of what the lines of a drawing enclose.
 class Encloser {
  public:
@@ -60,13 +70,20 @@ class Encloser {
   /// already becomes the outline of that piece; of several pieces the oldest stays. So do the faces of a solid whose
   /// edges are drawn; hidden ones that are missing are drawn.
   Status enclose(LineId changed, const Look& look) {
-    if (Status status = addMissingEdges(); !status) return status;
-    Result<std::vector<descriptive::Piece>> pieces = proposed();
-    if (!pieces) return pieces.failure();
+    Result<Measured> measured = measure();
+    if (!measured) return measured.failure();
+    const std::vector<descriptive::Line> missing =
+        descriptive::missingEdges(measured.value().drawn, measured.value().lines, measured.value().nodes);
+    if (!missing.empty()) {
+      if (Status status = addLines(missing); !status) return status;
+      measured = measure();
+      if (!measured) return measured.failure();
+    }
     const std::vector<LineId> free = freeLines(document_, drawing_);
     const auto isFree = [&](const LineRun& run) { return std::ranges::find(free, run.line) != free.end(); };
-    for (const descriptive::Piece& piece : pieces.value()) {
-      const std::vector<LineOutline> outlines = linesOf(piece);
+    const auto& [drawn, lines, nodes, size] = measured.value();
+    for (const descriptive::Piece& piece : descriptive::proposePieces(lines, nodes, size)) {
+      const std::vector<LineOutline> outlines = outlinesOf(drawing_, piece.outlines);
       const bool isSolid = piece.kind == descriptive::PieceKind::Solid;
       const auto mayBe = [&](const LineOutline& outline) {
         const bool isNew = std::ranges::all_of(
@@ -80,11 +97,11 @@ class Encloser {
   }
   /// The same for solids whose edges are drawn alone.
   Status encloseSolids(LineId changed, const Look& look) {
-    const Result<std::vector<descriptive::Piece>> pieces = proposed();
-    if (!pieces) return pieces.failure();
-    for (const descriptive::Piece& piece : pieces.value()) {
-      if (piece.kind != descriptive::PieceKind::Solid) continue;
-      const std::vector<LineOutline> outlines = linesOf(piece);
+    const Result<Measured> measured = measure();
+    if (!measured) return measured.failure();
+    const auto& [drawn, lines, nodes, size] = measured.value();
+    for (const std::vector<descriptive::Outline>& faces : descriptive::proposeWireframes(lines, nodes, size)) {
+      const std::vector<LineOutline> outlines = outlinesOf(drawing_, faces);
       if (!std::ranges::any_of(outlines, [&](const LineOutline& one) { return has(one, changed); })) continue;
       if (Status status = takeSolid(outlines, look); !status) return status;
     }
@@ -95,27 +112,24 @@ class Encloser {
   static bool has(const LineOutline& outline, LineId line) {
     return std::ranges::find(outline.runs, line, &LineRun::line) != outline.runs.end();
   }
-  std::vector<LineOutline> linesOf(const descriptive::Piece& piece) const {
-    std::vector<LineOutline> out;
-    for (const descriptive::Outline& runs : piece.outlines) {
-      LineOutline& outline = out.emplace_back();
-      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing_.lines[line].id, from, to});
-    }
+  struct Measured {
+    std::vector<descriptive::Line> drawn;
+    std::vector<descriptive::MeasuredLine> lines;
+    std::vector<descriptive::Node> nodes;
+    double size = 0;
+  };
+  Result<Measured> measure() const {
+    Measured out{plainDrawing(document_, drawing_).drawing.lines, {}, {}, 0};
+    Result<std::vector<descriptive::MeasuredLine>> lines = descriptive::meetingLines(out.drawn);
+    if (!lines) return lines.failure();
+    out.lines = std::move(lines).value();
+    out.size = descriptive::sizeOf(out.drawn);
+    out.nodes = descriptive::nodesOf(out.lines, out.size);
     return out;
   }
-  Result<std::vector<descriptive::Piece>> proposed() const {
-    const PlainDrawing plain = plainDrawing(document_, drawing_);
-    const auto lines = descriptive::meetingLines(plain.drawing.lines);
-    if (!lines) return lines.failure();
-    const double size = descriptive::sizeOf(plain.drawing.lines);
-    return descriptive::proposePieces(lines.value(), descriptive::nodesOf(lines.value(), size), size);
-  }
-  Status addMissingEdges() {
-    const auto missing = descriptive::missingEdges(plainDrawing(document_, drawing_).drawing.lines);
-    if (!missing) return missing.failure();
-    if (missing.value().empty()) return Done{};
+  Status addLines(const std::vector<descriptive::Line>& lines) {
     Status added = editDrawing(document_, drawing_.id, [&](Drawing& drawing) {
-      for (const descriptive::Line& line : missing.value()) {
+      for (const descriptive::Line& line : lines) {
         drawing.lines.push_back({LineId{++drawing.lastLineId}, line.points, line.hidden, line.closed});
       }
       return checkLines(document_, drawing);
@@ -134,12 +148,7 @@ class Encloser {
     for (const Part* part : piecesOf(document_, drawing_.id)) {
       if (!owner && std::ranges::any_of(elementOf(*part)->outlines, shares)) owner = part->id;
     }
-    if (!owner)
-      return addPiece({.picture = drawing_.picture,
-                       .drawing = drawing_.id,
-                       .kind = descriptive::PieceKind::Solid,
-                       .outlines = faces},
-                      look);
+    if (!owner) return addPiece(faces, descriptive::PieceKind::Solid, look);
     editPieces(document_, drawing_.id, [&](PartId id, ElementRecipe& element) {
       if (!std::ranges::any_of(element.outlines, shares)) return false;
       element.outlines = id == owner ? faces : std::vector<LineOutline>{};
@@ -148,11 +157,16 @@ class Encloser {
     });
     return Done{};
   }
-  Status addPiece(ElementRecipe recipe, const Look& look) {
+  Status addPiece(std::vector<LineOutline> outlines, descriptive::PieceKind kind, const Look& look) {
     if (Status room = roomForPart(document_); !room) return room;
     if (piecesOf(document_, drawing_.id).size() >= descriptive::kMostPieces) {
       return {Error::ValueOutOfRange, "too many pieces"};
     }
+    ElementRecipe recipe;
+    recipe.picture = drawing_.picture;
+    recipe.drawing = drawing_.id;
+    recipe.kind = kind;
+    recipe.outlines = std::move(outlines);
     addPart(document_, std::move(recipe), look);
     return Done{};
   }
@@ -164,7 +178,7 @@ class Encloser {
     for (const Part* part : piecesOf(document_, drawing_.id)) {
       if (!owner && std::ranges::any_of(elementOf(*part)->outlines, isReplaced)) owner = part->id;
     }
-    if (!owner) return addPiece({.picture = drawing_.picture, .drawing = drawing_.id, .outlines = {outline}}, look);
+    if (!owner) return addPiece({outline}, descriptive::PieceKind::Round, look);
     editPieces(document_, drawing_.id, [&](PartId id, ElementRecipe& element) {
       const auto first = std::ranges::find_if(element.outlines, isReplaced);
       if (first == element.outlines.end()) return false;
@@ -237,11 +251,7 @@ Status shapeElement(const Document& document, ElementRecipe& element, descriptiv
       if (!silhouette) return silhouette.failure();
       outlines = {std::move(silhouette).value()};
     }
-    element.outlines.clear();
-    for (const descriptive::Outline& runs : outlines) {
-      LineOutline& outline = element.outlines.emplace_back();
-      for (const auto& [line, from, to] : runs) outline.runs.push_back({drawing.lines[line].id, from, to});
-    }
+    element.outlines = outlinesOf(drawing, outlines);
   }
   element.kind = kind;
   return Done{};
