@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
+#include <set>
 #include <utility>
 
 #include "engine/descriptive/depth_rows.h"
@@ -29,6 +32,36 @@ std::vector<QpTerm> difference(std::vector<QpTerm> a, const std::vector<QpTerm>&
   return a;
 }
 
+/// Which overlaps bring pieces together: a forest of pairs, those with the largest piece first, then those that overlap
+/// most. A leg hangs on the table, not on the leg that it passes.
+std::vector<bool> contacts(const Overlaps& overlaps, std::size_t pieces) {
+  std::vector<std::size_t> area(pieces, 0), root(pieces);
+  for (std::uint32_t cell = 0; cell < overlaps.cells(); ++cell) {
+    for (const std::uint32_t piece : overlaps.in(cell)) ++area[piece];
+  }
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  const std::vector<Overlap>& all = overlaps.all();
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t k) {
+    return std::pair(std::max(area[all[k].a], area[all[k].b]), all[k].cells.size());
+  });
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const std::size_t k : order) {
+    const std::size_t a = find(all[k].a), b = find(all[k].b);
+    if (a == b) continue;
+    root[a] = b;
+    pairs.insert({all[k].a, all[k].b});
+  }
+  std::vector<bool> out;
+  for (const Overlap& one : all) out.push_back(pairs.contains({one.a, one.b}));
+  return out;
+}
+
 class Program {
  public:
   explicit Program(const DepthInput& input) : input_(input), rows_(orderRows(input)) {
@@ -46,7 +79,7 @@ class Program {
     }
     for (const Tie& tie : input.ties) {
       addSquare(difference(termsOf(tie.one), termsOf(tie.other)), kTieWeight * tie.weight,
-                riseOf(tie.other) - riseOf(tie.one));
+                riseOf(tie.other) - riseOf(tie.one) + tie.nearer);
     }
     pull();
   }
@@ -114,11 +147,13 @@ class Program {
   /// Planes of pieces that overlap are a distance apart over all of the overlap; apart_ is what it multiplies.
   void pull() {
     const auto& overlaps = input_.orders.overlaps.all();
+    const std::vector<bool> isNear = contacts(input_.orders.overlaps, input_.patches.size());
     for (std::size_t k = 0; k < overlaps.size(); ++k) {
       const Order& order = input_.orders.orders[k];
       const auto& cells = overlaps[k].cells;
       const std::size_t step = 1 + cells.size() / kMeanCells;
-      const double weight = kPull * static_cast<double>(step) / static_cast<double>(cells.size());
+      const double weight =
+          (isNear[k] ? kPull : kPassingPull) * static_cast<double>(step) / static_cast<double>(cells.size());
       std::vector<QpTerm>& sum = apart_.emplace_back();
       for (std::size_t i = 0; i < cells.size(); i += step) {
         const PicturePoint p = input_.orders.overlaps.middle(cells[i]);

@@ -15,10 +15,12 @@ struct PiecePlace {
   std::uint32_t piece = 0;
   MeshPlace at;
 };
-/// Two pieces that are together at a place: shared lines and touches.
+/// Two places of which one is by a known depth nearer than the other: shared lines and touches, and what goes along an
+/// axis.
 struct Tie {
   PiecePlace one, other;
   double weight = 1;  ///< ties of one shared run sum to 1
+  double nearer = 0;  ///< z of one − z of the other, a share of the size
 };
 /// The depth of a place, as a share of the size.
 struct DepthPin {
@@ -56,10 +58,11 @@ struct Depths {
   DepthStats stats;
 };
 
-/// Minimises planarity (planarity.h) + kTieWeight · ties + kPull · Σ mean (plane_i − plane_j − D)² over the overlap of
-/// i in front of j + the gauges of patch.h. D is the largest distance that a row of the overlap asks for: pieces come
-/// near, none turns without need, and what pulls bends nothing. Subject to, for i over j in an overlap, f and b the
-/// distances of front and back from the middle (paper, 9 to 12, with thickness and a gap g = kGap):
+/// Minimises planarity (planarity.h) + kTieWeight · Σ weight (z_one − z_other − nearer)² over ties + kPull · Σ mean
+/// (plane_i − plane_j − D)² over the overlap of i in front of j (kPassingPull where they only pass) + the gauges of
+/// patch.h. D is the largest distance that a row of the overlap asks for: pieces come near, none turns without need,
+/// and what pulls bends nothing. Subject to, for i over j in an overlap, f and b the distances of front and back from
+/// the middle (paper, 9 to 12, with thickness and a gap g = kGap):
 ///   outline of i:  z_i − z_j ≥ f_j + g           outline of j:  z_i − z_j ≥ b_i + g
 ///   points of both meshes, and crossings of their edges:  z_i − z_j ≥ max(f_j − f_i, b_i − b_j) + g / 2
 /// The surfaces are linear between these, so that what is drawn in front is in front everywhere in an overlap, seen
@@ -69,7 +72,9 @@ struct Depths {
 /// solved twice. Errors: those of solveQp.
 Result<Depths> solveDepths(const DepthInput& input);
 
-inline constexpr double kGap = 0.0015, kPull = 1e-3, kTieWeight = 1e3;
+inline constexpr double kGap = 0.0015, kPull = 1e-3, kPassingPull = 1e-6, kTieWeight = 1e3;
+/// Of the tie along an axis: 10 in all, beside a planarity of 8.
+inline constexpr double kAxisTie = 0.01;
 /// Of the tie of a touch: 10⁻⁷ in all, far weaker than what holds pieces upright, since lines touch by chance too.
 inline constexpr double kTouchWeight = 1e-10;
 inline constexpr double kMostTilt = 3;        ///< thickness along z grows by no more

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/descriptive/right_angles.h"
 #include "engine/descriptive/solids.h"
 #include "engine/descriptive/square.h"
 #include "engine/descriptive/wireframe.h"
@@ -14,6 +15,8 @@ namespace {
 
 /// Places at which two pieces with a common run are tied.
 constexpr int kTiesOfRun = 12;
+/// So far from an outline as drawn is its rim, a share of the size.
+constexpr double kOffRim = 0.01;
 /// Pieces that overlap so few cells away do not lie side by side.
 constexpr int kApartCells = 3;
 
@@ -75,6 +78,7 @@ class Maker {
     }
     model_.orders = ordersOf(sheets_, given, model_.size);
     tie();
+    square();
     pin();
     const DepthInput input{sheets_, pieces_, patches_, model_.orders, ties_, pins_, scale_};
     const Result<Depths> depths = solveDepths(input);
@@ -154,11 +158,8 @@ class Maker {
     if (!faced) return faced.failure();
     return Patch::make(faced.value(), scale_);
   }
-  /// The corner of a piece's rim that is nearest to a place.
-  PiecePlace rimAt(std::uint32_t piece, PicturePoint p) const {
-    const std::uint32_t corner = patches_[piece].nearestRim({p.x, -p.y});
-    return {piece, {{corner, corner, corner}, {1, 0, 0}}};
-  }
+  /// The place of a piece's rim that is nearest to p.
+  PiecePlace rimAt(std::uint32_t piece, PicturePoint p) const { return {piece, patches_[piece].onRim({p.x, -p.y})}; }
   /// Runs of one line that two pieces share, and touches.
   void tie() {
     for (std::uint32_t a = 0; a < pieces_.size(); ++a) {
@@ -196,7 +197,21 @@ class Maker {
       ties_.push_back({rimAt(a, p), rimAt(b, p), 1.0 / kTiesOfRun});
     }
   }
-  /// A later pin at the same corner wins.
+  /// What goes along one of three axes at right angles is as deep as they say.
+  void square() {
+    for (const Rise& one : risesOf(sheets_, pieces_, model_.size)) {
+      const PiecePlace from = rimAt(one.piece, one.from), to = rimAt(one.piece, one.to);
+      // What the board cuts off is at no rim.
+      if (isThere(from, one.from) && isThere(to, one.to)) {
+        ties_.push_back({to, from, kAxisTie, one.nearer / model_.size});
+      }
+    }
+  }
+  bool isThere(const PiecePlace& place, PicturePoint p) const {
+    const SectionPoint at = place.at.of(patches_[place.piece].mesh().points());
+    return distance(at, {p.x, -p.y}) <= kOffRim * model_.size;
+  }
+  /// A later pin at the same place wins.
   void pin() {
     for (const Pin& pin : drawing_.pins) {
       for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
@@ -206,8 +221,7 @@ class Maker {
         const FacedSolid* faced = patches_[i].faced();
         const PiecePlace place = faced != nullptr ? PiecePlace{i, {{0, 0, 0}, {1, 0, 0}}} : rimAt(i, p);
         const double more = faced != nullptr ? patches_[i].riseAt(place.at) - depthOnEdge(*faced, scale_.of(p)) : 0.0;
-        std::erase_if(
-            pins_, [&](const DepthPin& other) { return other.at.piece == i && other.at.at.points == place.at.points; });
+        std::erase_if(pins_, [&](const DepthPin& other) { return other.at.piece == i && other.at.at == place.at; });
         pins_.push_back({place, pin.z / scale_.size + more});
       }
     }

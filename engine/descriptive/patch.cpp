@@ -519,11 +519,24 @@ std::vector<double> Patch::slopesOf(std::span<const double> depths) const {
 
 std::optional<MeshPlace> Patch::find(SectionPoint p) const { return parts_->grid.find(parts_->mesh, p); }
 
-std::uint32_t Patch::nearestRim(SectionPoint p) const {
-  std::uint32_t best = 0;
+MeshPlace Patch::onRim(SectionPoint p) const {
   const auto& points = parts_->mesh.points();
-  for (std::uint32_t i = 1; i < parts_->mesh.rim(); ++i) {
-    if (distance(points[i], p) < distance(points[best], p)) best = i;
+  MeshPlace best{{0, 0, 0}, {1, 0, 0}};
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t first = 0;
+  for (const std::size_t size : parts_->rims) {
+    const auto n = static_cast<std::uint32_t>(size);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t one = first + i, other = first + (i + 1) % n;
+      const SectionPoint along = points[other] - points[one];
+      const double squared = dot(along, along);
+      const double t = squared > 0 ? std::clamp(dot(p - points[one], along) / squared, 0.0, 1.0) : 0.0;
+      const double away = distance(p, points[one] + along * t);
+      if (away >= least) continue;
+      least = away;
+      best = {{one, other, other}, {1 - t, t, 0}};
+    }
+    first += n;
   }
   return best;
 }

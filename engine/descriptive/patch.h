@@ -20,8 +20,9 @@ struct FacedSolid;
 struct MeshPlace {
   std::array<std::uint32_t, 3> points{};
   std::array<double, 3> weights{};
+  bool operator==(const MeshPlace&) const = default;
   template <class Values>
-  double of(const Values& values) const {
+  auto of(const Values& values) const {
     return values[points[0]] * weights[0] + values[points[1]] * weights[1] + values[points[2]] * weights[2];
   }
 };
@@ -73,8 +74,8 @@ class Patch {
 
   /// Where p (pixels, y up) is; none outside.
   std::optional<MeshPlace> find(SectionPoint p) const;
-  /// The corner of the rim that is nearest to p.
-  std::uint32_t nearestRim(SectionPoint p) const;
+  /// The place of the rim that is nearest to p (pixels, y up).
+  MeshPlace onRim(SectionPoint p) const;
 
  private:
   struct Parts;

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
+
+#include "engine/descriptive/axes.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -21,119 +21,31 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kPi = std::numbers::pi;
-/// Directions that differ by less, on average, are one.
-constexpr double kOneDirection = 9 * kPi / 180;
-/// A longer dz per length is a direction towards the eye, which the picture does not show.
-constexpr double kMostSlope = 12;
 /// Weight of Δz² beside Δx² and Δy², and of edges that leave their axis.
 constexpr double kDepthWeight = 0.05, kAxisWeight = 9;
-constexpr std::size_t kNoAxis = 3;
 
 struct Edge {
   std::uint32_t a = 0, b = 0;
   std::size_t direction = 0;
 };
 
-/// Edges of almost one direction.
-struct Direction {
-  Vector2d unit = Vector2d::Zero();
-  double angle = 0, weight = 0;  ///< angle in 0…π
-};
-
-double turnBetween(double one, double other) {
-  const double turn = std::abs(one - other);
-  return std::min(turn, kPi - turn);
-}
-
-/// Clusters the edges by direction: the two nearest clusters become one while they are nearer than kOneDirection.
-std::vector<Direction> directionsOf(const std::vector<Vector2d>& at, std::vector<Edge>& edges) {
-  std::vector<Direction> all;
-  std::vector<std::vector<std::size_t>> members;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const Vector2d way = at[edges[e].b] - at[edges[e].a];
-    const double angle = std::atan2(way.y(), way.x());
-    all.push_back({Vector2d::Zero(), angle < 0 ? angle + kPi : angle, way.norm()});
-    members.push_back({e});
-  }
-  for (;;) {
-    std::size_t one = 0, other = 0;
-    double least = kOneDirection;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t k = i + 1; k < all.size(); ++k) {
-        const double turn = turnBetween(all[i].angle, all[k].angle);
-        if (turn < least) std::tie(one, other, least) = std::tuple(i, k, turn);
-      }
-    }
-    if (one == other) break;
-    // The mean by length, round the circle of lines without a direction.
-    const auto doubled = [](const Direction& d) -> Vector2d {
-      return d.weight * Vector2d(std::cos(2 * d.angle), std::sin(2 * d.angle));
-    };
-    const Vector2d sum = doubled(all[one]) + doubled(all[other]);
-    const double angle = std::atan2(sum.y(), sum.x()) / 2;
-    all[one].angle = angle < 0 ? angle + kPi : angle;
-    all[one].weight += all[other].weight;
-    members[one].insert(members[one].end(), members[other].begin(), members[other].end());
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(other));
-    members.erase(members.begin() + static_cast<std::ptrdiff_t>(other));
-  }
-  for (std::size_t d = 0; d < all.size(); ++d) {
-    all[d].unit = {std::cos(all[d].angle), std::sin(all[d].angle)};
-    for (const std::size_t e : members[d]) edges[e].direction = d;
-  }
-  return all;
-}
-
-/// Three directions of a right-angled corner, and dz per length along each.
-struct Axes {
-  std::array<std::size_t, 3> direction{};
-  std::array<double, 3> slope{};
-  /// Which axis a direction is, or kNoAxis.
-  std::size_t of(std::size_t d) const {
-    return static_cast<std::size_t>(std::ranges::find(direction, d) - direction.begin());
-  }
-};
-
-std::optional<std::array<double, 3>> slopesOf(const Direction& one, const Direction& other, const Direction& last) {
-  const double a = -one.unit.dot(other.unit), b = -one.unit.dot(last.unit), c = -other.unit.dot(last.unit);
-  if (!(a * b * c > 0)) return std::nullopt;
-  const double first = std::sqrt(a * b / c);
-  const std::array<double, 3> slopes{first, a / first, b / first};
-  const bool inRange = std::ranges::all_of(slopes, [](double s) { return std::abs(s) <= kMostSlope; });
-  return inRange ? std::optional(slopes) : std::nullopt;
-}
-
-std::optional<Axes> axesOf(const std::vector<Direction>& directions, const std::vector<Edge>& edges,
-                           std::size_t corners) {
+/// The directions that meet at most corners.
+std::optional<Axes> axesOf(const Directions& directions, const std::vector<Edge>& edges, std::size_t corners) {
   std::vector<std::set<std::size_t>> at(corners);
   for (const Edge& edge : edges) {
     at[edge.a].insert(edge.direction);
     at[edge.b].insert(edge.direction);
   }
-  std::optional<Axes> best;
-  std::tuple<std::ptrdiff_t, std::ptrdiff_t, double> most{};
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    for (std::size_t j = i + 1; j < directions.size(); ++j) {
-      for (std::size_t k = j + 1; k < directions.size(); ++k) {
-        const auto slopes = slopesOf(directions[i], directions[j], directions[k]);
-        if (!slopes) continue;
-        const Axes axes{{i, j, k}, *slopes};
-        const auto meeting = std::ranges::count_if(at, [&](const std::set<std::size_t>& there) {
-          return there.contains(i) && there.contains(j) && there.contains(k);
-        });
-        const auto count = std::ranges::count_if(edges, [&](const Edge& e) { return axes.of(e.direction) != kNoAxis; });
-        const double apart = std::min({turnBetween(directions[i].angle, directions[j].angle),
-                                       turnBetween(directions[i].angle, directions[k].angle),
-                                       turnBetween(directions[j].angle, directions[k].angle)});
-        const std::tuple score{meeting, count, apart};
-        if (meeting == 0 || (best && score <= most)) continue;
-        best = axes;
-        most = score;
-      }
-    }
-  }
-  return best;
+  return bestAxes(directions.all, [&](const Axes& axes) {
+    const auto meeting = std::ranges::count_if(at, [&](const std::set<std::size_t>& there) {
+      return std::ranges::all_of(axes.direction, [&](std::size_t d) { return there.contains(d); });
+    });
+    const auto count = std::ranges::count_if(edges, [&](const Edge& e) { return axes.of(e.direction) != kNoAxis; });
+    // Edges only decide between triples that meet as often.
+    return meeting == 0
+               ? 0
+               : static_cast<double>(meeting) + static_cast<double>(count) / static_cast<double>(edges.size() + 1);
+  });
 }
 
 /// Corner k of a face in the plane of three others, those that span the largest triangle.
@@ -181,7 +93,13 @@ class Squarer {
     }
   }
   Result<FacedSolid> make() {
-    directions_ = directionsOf(drawn_, edges_);
+    std::vector<SectionPoint> ways;
+    for (const Edge& edge : edges_) {
+      const Vector2d way = drawn_[edge.b] - drawn_[edge.a];
+      ways.push_back({way.x(), way.y()});
+    }
+    directions_ = directionsOf(ways);
+    for (std::size_t e = 0; e < edges_.size(); ++e) edges_[e].direction = directions_.of[e];
     const std::optional<Axes> axes = axesOf(directions_, edges_, drawn_.size());
     if (!axes) return Failure{Error::ShapeInvalid, "no three of its edges meet at right angles"};
     axes_ = *axes;
@@ -202,6 +120,10 @@ class Squarer {
   }
 
  private:
+  Vector2d unitOf(const Edge& edge) const {
+    const SectionPoint unit = directions_.all[edge.direction].unit;
+    return {unit.x, unit.y};
+  }
   double volume() const {
     double six = 0;
     for (const Wireframe::Face& face : wireframe_.faces) {
@@ -213,13 +135,13 @@ class Squarer {
   void lift() {
     for (const Vector2d& p : drawn_) X_.emplace_back(p.x(), p.y(), 0);
     planes_ = planesOf(wireframe_.faces, X_);
-    const auto corners = static_cast<Index>(drawn_.size()), others = static_cast<Index>(directions_.size());
+    const auto corners = static_cast<Index>(drawn_.size()), others = static_cast<Index>(directions_.all.size());
     const auto rows = static_cast<Index>(edges_.size() + planes_.size()) + 1 + others;
     MatrixXd M = MatrixXd::Zero(rows, corners + others);
     VectorXd right = VectorXd::Zero(rows);
     Index row = 0;
     for (const Edge& edge : edges_) {
-      const double along = (drawn_[edge.b] - drawn_[edge.a]).dot(directions_[edge.direction].unit);
+      const double along = (drawn_[edge.b] - drawn_[edge.a]).dot(unitOf(edge));
       M(row, edge.b) += 1;
       M(row, edge.a) -= 1;
       if (const std::size_t axis = axes_.of(edge.direction); axis != kNoAxis) {
@@ -275,7 +197,7 @@ class Squarer {
       const std::size_t axis = axes_.of(edge.direction);
       if (axis == kNoAxis) continue;
       const Vector3d way = X_[edge.b] - X_[edge.a];
-      const double sign = way.head<2>().dot(directions_[edge.direction].unit) < 0 ? -1 : 1;
+      const double sign = way.head<2>().dot(unitOf(edge)) < 0 ? -1 : 1;
       means.col(static_cast<Index>(axis)) += sign * way;
     }
     for (Index k = 0; k < 3; ++k) means.col(k).normalize();
@@ -343,7 +265,7 @@ class Squarer {
   const Wireframe& wireframe_;
   std::vector<Vector2d> drawn_;
   std::vector<Edge> edges_;
-  std::vector<Direction> directions_;
+  Directions directions_;
   Axes axes_;
   std::vector<Plane> planes_;
   std::vector<Vector3d> X_;

@@ -11,7 +11,7 @@
 
 #include "engine/descriptive/outlines.h"
 #include "engine/descriptive/square.h"
-#include "engine/geometry/polyline.h"
+#include "engine/descriptive/straight.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -21,8 +21,6 @@ using EdgeEnds = std::pair<Corner, Corner>;
 
 /// Two edges at a corner of only two go on straight when they turn by less, radians.
 constexpr double kStraightOn = 0.45;
-/// How far an edge may be from straight however short it is, as a share of the size: what a hand trembles.
-constexpr double kTremor = 0.01;
 
 /// Places within kSameCorner of a corner belong to it; else they are a new one.
 class Corners {
@@ -50,45 +48,6 @@ class Corners {
   std::vector<std::pair<PicturePoint, double>> sums_;
 };
 
-/// Shares of a line at which it turns sharply; of an open one its ends too.
-std::vector<double> sharesOfCorners(const MeasuredLine& line, double size) {
-  std::vector<PicturePoint> points = line.points;
-  std::vector<double> s = line.s;
-  if (line.closed) {
-    // From the point that is farthest from the middle, which is a corner where there is one.
-    points.pop_back();
-    const PicturePoint middle =
-        std::accumulate(points.begin(), points.end(), PicturePoint{}) / static_cast<double>(points.size());
-    const auto far = std::ranges::max_element(points, {}, [&](PicturePoint p) { return distance(p, middle); });
-    const auto first = far - points.begin();
-    std::ranges::rotate(points, far);
-    s.pop_back();
-    std::ranges::rotate(s, s.begin() + first);
-    points.push_back(points.front());
-    s.push_back(s.front());
-  }
-  const std::span<const PicturePoint> all(points);
-  std::vector<std::size_t> kept;
-  if (line.closed) {
-    const auto far = std::ranges::max_element(points, {}, [&](PicturePoint p) { return distance(p, points.front()); });
-    const auto half = static_cast<std::size_t>(far - points.begin());
-    kept = geometry::keptPoints(all.first(half + 1), 1.2 * kTremor * size);
-    const auto rest = geometry::keptPoints(all.subspan(half), 1.2 * kTremor * size);
-    for (std::size_t i = 1; i < rest.size(); ++i) kept.push_back(half + rest[i]);
-  } else {
-    kept = geometry::keptPoints(all, 1.2 * kTremor * size);
-  }
-  std::vector<double> shares;
-  if (!line.closed) shares = {0, 1};
-  for (std::size_t i = line.closed ? 0 : 1; i + 1 < kept.size(); ++i) {
-    const PicturePoint here = points[kept[i]];
-    const PicturePoint in = here - points[i == 0 ? kept[kept.size() - 2] : kept[i - 1]],
-                       out = points[kept[i + 1]] - here;
-    if (std::abs(std::atan2(cross(in, out), dot(in, out))) > kEdgeCorner) shares.push_back(s[kept[i]] / line.length());
-  }
-  return shares;
-}
-
 /// The edges that the straight lines of a drawing make.
 class Edges {
  public:
@@ -100,9 +59,8 @@ class Edges {
   Edges(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size) : lines_(lines), corners_(size) {
     std::vector<std::vector<double>> own;
     for (const MeasuredLine& line : lines) {
-      own.push_back(sharesOfCorners(line, size));
-      std::ranges::sort(own.back());
-      straight_.push_back(isStraight(line, own.back(), size));
+      own.push_back(cornersOf(line, size, kEdgeCorner));
+      straight_.push_back(isStraightBetween(line, own.back(), size));
     }
     for (const Node& node : nodes) {
       if (node.kind != NodeKind::Branch || !straight_[node.places[0].line]) continue;
@@ -118,20 +76,6 @@ class Edges {
   const std::vector<PicturePoint>& corners() const { return corners_.at; }
 
  private:
-  static bool isStraight(const MeasuredLine& line, const std::vector<double>& shares, double size) {
-    const std::size_t n = shares.size();
-    if (n < 2) return false;
-    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < n; ++i) {
-      const double from = shares[i], to = i + 1 < n ? shares[i + 1] : shares[0] + 1;
-      const auto at = [&](double share) { return line.at(share > 1 ? share - 1 : share); };
-      const PicturePoint a = at(from), b = at(to);
-      const double most = kEdgeBend * distance(a, b) + kTremor * size;
-      for (int k = 1; k < 16; ++k) {
-        if (geometry::distanceToSegment(at(from + (to - from) * k / 16), a, b) > most) return false;
-      }
-    }
-    return true;
-  }
   void addLine(std::uint32_t index, std::vector<double> shares) {
     const MeasuredLine& line = lines_[index];
     // The first point of a closed line is a corner, so that no edge leads through it.

@@ -51,8 +51,6 @@ Result<Outline> silhouetteOf(std::span<const MeasuredLine> lines, std::span<cons
 std::vector<std::uint32_t> outerCycle(std::span<const Wireframe::Face> faces, const std::vector<bool>& isChosen);
 
 inline constexpr double kSameCorner = 0.03;  ///< shares of the size
-inline constexpr double kEdgeCorner = 0.6;   ///< a line has a corner where it turns by more, radians
-inline constexpr double kEdgeBend = 0.05;    ///< an edge is nearer to straight than this share of its length
 inline constexpr std::size_t kMostCorners = 64, kMostFaces = 64;
 
 }  // namespace spineloft::descriptive

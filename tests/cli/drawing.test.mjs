@@ -119,6 +119,7 @@ const kOrders = {
   'bars-in-a-cycle': (a, b) => (a + 1) % 3 === b,
   'woven-mat': (a, b) => a < 4 !== b < 4 && ((Math.min(a, b) + Math.max(a, b)) % 2 === 0) === a < b,
   table: (a) => a === 0,
+  chair: (a) => a === 0,
   // Body, neck, tail, near legs, far legs.
   dinosaur: (a, b) => [3, 5, 2, 6, 7, 1, 0][a] > [3, 5, 2, 6, 7, 1, 0][b],
 };
@@ -202,11 +203,53 @@ test('bars in a cycle are flat to a millionth, and the rods of the mat bend by a
   assert.equal(mat.nodes.crossing, 64);
 });
 
-test('the pins of the table hold in the file', (t) => {
+/** The middle of the sixth of a leg that is farthest along a direction. */
+function endOf(triangles, direction) {
+  const points = triangles.flat();
+  const along = points.map((p) => dot(p, direction));
+  const [low, high] = [Math.min(...along), Math.max(...along)];
+  const end = points.filter((_, i) => along[i] > high - (high - low) / 6);
+  return [0, 1, 2].map((k) => end.reduce((sum, p) => sum + p[k], 0) / end.length);
+}
+const minus = (a, b) => a.map((value, k) => value - b[k]);
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => a.map((value) => value / Math.hypot(...a));
+/** The normal of the largest triangle that is seen. */
+function normalOf(triangles) {
+  const normals = triangles.map(([a, b, c]) => cross(minus(b, a), minus(c, a))).filter((n) => n[2] > 0);
+  return unit(normals.reduce((best, n) => (Math.hypot(...n) > Math.hypot(...best) ? n : best)));
+}
+
+for (const name of ['table', 'chair']) {
+  test(`${name}: nothing is pinned, and its legs are upright and stand on one floor`, (t) => {
+    const folder = workFolder(t);
+    const { pins, pieces } = readJson(recipe(name)).drawing;
+    assert.equal(pins, undefined);
+    works('loft', '--recipe', recipe(name), '--out', folder.path('model.obj'), '--height-mm', '500');
+    const meshes = [...objects(folder.path('model.obj')).values()];
+    const up = normalOf(meshes[0]);
+    const legs = meshes.filter((_, i) => pieces[i].kind === 'round');
+    assert.equal(legs.length, 4);
+    const feet = legs.map((leg) => endOf(leg, [0, -1, 0]));
+    const axes = legs.map((leg, i) => minus(endOf(leg, [0, 1, 0]), feet[i]));
+    for (const axis of axes) assert.ok((Math.acos(dot(unit(axis), up)) * 180) / Math.PI < 3);
+    const levels = feet.map((foot) => dot(foot, up));
+    const height = Math.min(...axes.map((axis) => Math.hypot(...axis)));
+    assert.ok(Math.max(...levels) - Math.min(...levels) < 0.06 * height, `${levels} of ${height}`);
+  });
+}
+
+test('pins win over right angles, and hold in the file', (t) => {
   const folder = workFolder(t);
-  works('loft', '--recipe', recipe('table'), '--out', folder.path('table.obj'), '--height-mm', '500');
-  const table = readJson(recipe('table')).drawing;
-  const [left, back, front] = table.pins.map((pin) => pin.z);
+  const { drawing } = readJson(recipe('table'));
+  const pins = [
+    { line: 0, at: 0, z: -60 },
+    { line: 0, at: 0.3281, z: -260 },
+    { line: 0, at: 0.828, z: 90 },
+  ];
+  const file = write(folder, { drawing: { ...drawing, pins } });
+  works('loft', '--recipe', file, '--out', folder.path('table.obj'), '--height-mm', '500');
+  const [left, back, front] = pins.map((pin) => pin.z);
   const corners = objects(folder.path('table.obj')).get('Top').flat();
   const at = (k, pick) => corners.reduce((best, p) => (pick(p[k], best[k]) ? p : best));
   const less = (a, b) => a < b;

@@ -15,7 +15,7 @@ constexpr double kApart = 44;      // CSS pixels between bridges: a fingertip
 constexpr int kRounds = 24;        // in which they move apart
 constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
 constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
-constexpr double kMostCut = 0.34;  // of a line: more is not cut off at one end
+constexpr double kMostCut = 0.34;  // of a line: an end is neither cut nor led on to a line by more
 
 /// Calls `each(drawing, derived drawing)` for those on a picture.
 template <class Each>
@@ -103,7 +103,7 @@ void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoi
   for (const document::DrawnLine& other : drawing.lines) {
     const PicturePoint p = nearestOnLine(other.points, other.closed, line.back());
     const double away = distance(p, line.back());
-    if (away <= reach && (!on || away < distance(*on, line.back()))) on = p;
+    if (away <= most && (!on || away < distance(*on, line.back()))) on = p;
   }
   if (on) line.push_back(*on);
 }
