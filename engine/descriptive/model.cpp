@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/descriptive/dashes.h"
 #include "engine/descriptive/right_angles.h"
 #include "engine/descriptive/solids.h"
 #include "engine/descriptive/square.h"
@@ -57,9 +58,11 @@ class Maker {
 
   Result<Model> make() {
     model_.size = sizeOf(drawing_.lines);
-    if (Status measured = measure(drawing_.lines); !measured) return measured.failure();
+    // Lines that something names stay as they are.
+    const bool isBare = drawing_.pieces.empty() && drawing_.pins.empty() && drawing_.folds.empty();
+    std::vector<Line> drawn = isBare ? withoutDashes(drawing_.lines) : drawing_.lines;
+    if (Status measured = measure(drawn); !measured) return measured.failure();
     if (drawing_.pieces.empty()) {
-      std::vector<Line> drawn = drawing_.lines;
       const std::vector<Line> missing = missingEdges(drawn, lines_, model_.nodes);
       drawn.insert(drawn.end(), missing.begin(), missing.end());
       if (Status measured = missing.empty() ? Status(Done{}) : measure(drawn); !measured) return measured.failure();

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/descriptive/dashes.h"
 #include "engine/descriptive/wireframe.h"
 #include "engine/document/checks.h"
 #include "engine/document/pieces.h"
@@ -257,6 +258,28 @@ Status shapeElement(const Document& document, ElementRecipe& element, descriptiv
   return Done{};
 }
 
+/// Lines of no piece at the end of the list that are dashes become one hidden line.
+void joinDashes(const Document& document, Drawing& drawing) {
+  std::vector<descriptive::Line> lines;
+  const std::vector<LineId> free = freeLines(document, drawing);
+  for (const DrawnLine& line : drawing.lines) lines.push_back({line.points, line.hidden, line.closed});
+  const double size = descriptive::sizeOf(lines);
+  const std::size_t from = descriptive::firstDash(lines, size);
+  std::optional<descriptive::Line> dashed = descriptive::dashedLine(lines, from, lines.size(), size);
+  if (!dashed) return;
+  const auto first = drawing.lines.begin() + static_cast<std::ptrdiff_t>(from);
+  const auto isMarked = [&](const auto& marks, LineId id) {
+    return std::ranges::find(marks, id, &std::decay_t<decltype(marks[0])>::line) != marks.end();
+  };
+  const bool isFree = std::ranges::all_of(first, drawing.lines.end(), [&](const DrawnLine& line) {
+    return std::ranges::find(free, line.id) != free.end() && !isMarked(drawing.pins, line.id) &&
+           !isMarked(drawing.folds, line.id);
+  });
+  if (!isFree) return;
+  drawing.lines.erase(first, drawing.lines.end());
+  drawing.lines.push_back({LineId{++drawing.lastLineId}, std::move(dashed->points), dashed->hidden, dashed->closed});
+}
+
 }  // namespace
 
 Status applyDrawing(Document& document, const DrawLine& a) {
@@ -275,6 +298,9 @@ Status applyDrawing(Document& document, const DrawLine& a) {
   const Status drawn = editDrawing(document, id, [&](Drawing& drawing) {
     line = LineId{++drawing.lastLineId};
     drawing.lines.push_back({line, a.points, a.hidden, a.closed});
+    if (Status sound = checkLines(document, drawing); !sound) return sound;
+    joinDashes(document, drawing);
+    line = drawing.lines.back().id;
     return checkLines(document, drawing);
   });
   if (!drawn) return drawn;

@@ -233,7 +233,7 @@ const edge = ([from, to], k) =>
     }),
   );
 
-for (const [device, size, options] of kHands.filter(([hand]) => hand !== 'finger')) {
+for (const [device, size, options] of kHands) {
   test(`the nine seen edges of a box make a box with plane faces, which is undone line by line: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await paper(page, device);

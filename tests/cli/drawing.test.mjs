@@ -276,6 +276,29 @@ test('a drawing without pieces gets one for every closed outline, also from stro
   assert.ok(Math.abs(high[2] - low[2] - 40) < 1e-3);
 });
 
+test('dashes that join the ends of a line are its hidden part', (t) => {
+  const folder = workFolder(t);
+  const body = { points: [100, 100, 600, 100, 600, 300, 100, 300], closed: true };
+  const leg = { points: [200, 300, 200, 500, 300, 500, 300, 300] };
+  const dashes = [200, 230, 260].map((x) => ({ points: [x + 8, 292, x + 28, 291] }));
+  const up = { points: [150, 250, 151, 262] };
+  const down = { points: [400, 200, 410, 205] };
+  const pieces = (lines) => reportOf(folder, write(folder, { drawing: { size: [700, 600], lines } })).pieces;
+  assert.equal(pieces([body, leg]).length, 2);
+  const { drawing } = readJson(write(folder, { drawing: { size: [700, 600], lines: [body, leg, ...dashes] } }));
+  const report = reportOf(folder, write(folder, { drawing }));
+  assert.deepEqual([report.openLines, report.contradictions], [[], []]);
+  assert.deepEqual(
+    report.orders.map(({ over, under, from }) => [over, under, from]),
+    [['Piece 1', 'Piece 2', 'drawn']],
+  );
+  // Strokes this short and in all directions are none.
+  assert.deepEqual(
+    reportOf(folder, write(folder, { drawing: { ...drawing, lines: [body, leg, up, down] } })).openLines,
+    [2, 3],
+  );
+});
+
 test('what is wrong with a drawing is said with its key', (t) => {
   const folder = workFolder(t);
   const refused = (drawing, what, ...rest) => {

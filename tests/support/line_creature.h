@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "engine/document/action.h"
+#include "engine/geometry/polyline.h"
 
 namespace spineloft::testing {
 
@@ -52,6 +54,22 @@ inline std::vector<PicturePoint> hipLine(double x, double width = 70) {
   }
   line.push_back(to);
   return line;
+}
+
+/// The same line as dashes by hand, the first and the last a little off its ends.
+inline std::vector<std::vector<PicturePoint>> dashesOf(const std::vector<PicturePoint>& line, int count = 7) {
+  std::vector<double> s;
+  geometry::arcLengths(std::span<const PicturePoint>(line), s);
+  std::vector<std::vector<PicturePoint>> dashes;
+  for (int k = 0; k < count; ++k) {
+    std::vector<PicturePoint>& dash = dashes.emplace_back();
+    for (int i = 0; i <= 6; ++i) {
+      const double share = (k + 0.2 + 0.6 * i / 6) / count;
+      dash.push_back(
+          geometry::pointAt(std::span<const PicturePoint>(line), std::span<const double>(s), share * s.back()));
+    }
+  }
+  return dashes;
 }
 
 /// A closed line whose root lies over the body.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/descriptive/dashes.h"
+#include "engine/descriptive/lines.h"
 #include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
 #include "web/words/words.h"
@@ -15,7 +17,7 @@ constexpr double kApart = 44;      // CSS pixels between bridges: a fingertip
 constexpr int kRounds = 24;        // in which they move apart
 constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
 constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
-constexpr double kMostCut = 0.34;  // of a line: an end is neither cut nor led on to a line by more
+constexpr double kMostCut = 0.34;  // of a line: an end is neither cut nor led onto a line by more
 
 /// Calls `each(drawing, derived drawing)` for those on a picture.
 template <class Each>
@@ -67,14 +69,21 @@ bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
   });
 }
 
+double lengthOf(const std::vector<PicturePoint>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
+  return length;
+}
+
 /// Brings the last point of a line to what is there.
 void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoint>& line) {
+  const double length = lengthOf(line), most = std::min(reach, kMostCut * length);
   std::optional<PicturePoint> end;
   for (const document::DrawnLine& other : drawing.lines) {
     if (other.closed) continue;
     for (const PicturePoint p : {other.points.front(), other.points.back()}) {
       const double away = distance(p, line.back());
-      if (away <= reach && (!end || away < distance(*end, line.back()))) end = p;
+      if (away <= std::min(reach, length / 2) && (!end || away < distance(*end, line.back()))) end = p;
     }
   }
   if (end) {
@@ -82,9 +91,7 @@ void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoi
     return;
   }
   // What runs past a line shortly before the end is cut there.
-  double length = 0, past = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-  const double most = std::min(reach, kMostCut * length);
+  double past = 0;
   for (std::size_t i = line.size() - 1; i > 0 && past <= most; --i) {
     std::optional<double> first;
     for (const document::DrawnLine& other : drawing.lines) {
@@ -106,6 +113,17 @@ void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoi
     if (away <= most && (!on || away < distance(*on, line.back()))) on = p;
   }
   if (on) line.push_back(*on);
+}
+
+/// How far a stroke begins from the dash after which it is one more; else none.
+std::optional<double> gapBeforeDash(const document::Drawing* drawing, const std::vector<PicturePoint>& stroke) {
+  if (drawing == nullptr || drawing->lines.empty()) return std::nullopt;
+  std::vector<descriptive::Line> lines;
+  for (const document::DrawnLine& line : drawing->lines) lines.push_back({line.points, line.hidden, line.closed});
+  const descriptive::Line last = lines.back();
+  lines.push_back({stroke, {}, false});
+  if (!descriptive::isDashAfter(last, lines.back(), descriptive::sizeOf(lines))) return std::nullopt;
+  return std::min(distance(last.points.front(), stroke.front()), distance(last.points.back(), stroke.front()));
 }
 
 }  // namespace
@@ -193,14 +211,15 @@ MeantLine meantLine(const document::Drawing* drawing, const std::vector<PictureP
   MeantLine meant{line, false};
   std::vector<PicturePoint>& points = meant.points;
   if (points.size() < 2) return meant;
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-  const double gap = distance(points.front(), points.back());
+  const double length = lengthOf(points), gap = distance(points.front(), points.back());
   // What begins and ends on a line at two places is closed by that line.
   const bool onLines = gap > reach / 2 && drawing != nullptr && isOnLine(*drawing, points.front(), reach) &&
                        isOnLine(*drawing, points.back(), reach);
   meant.closed = points.size() > 3 && gap <= reach && length > kLongEnough * std::max(gap, reach) && !onLines;
-  if (!meant.closed && drawing != nullptr) {
+  if (const std::optional<double> dash = gapBeforeDash(drawing, line)) {
+    meet(*drawing, std::min(reach, *dash), points);
+    meant.closed = false;
+  } else if (!meant.closed && drawing != nullptr) {
     meet(*drawing, reach, points);
     std::ranges::reverse(points);
     meet(*drawing, reach, points);

@@ -51,7 +51,8 @@ struct MeantLine {
 };
 /// Ends within reach of each other close a line, unless both lie on lines that are there; any other end within reach of
 /// an end of the drawing's lines goes there; else, within reach of a line, it goes onto it, and what runs past it is
-/// cut. `drawing` may be null.
+/// cut. None of it moves an end by more than a share of the line's own length. What is one more dash begins where it
+/// was drawn (descriptive/dashes.h). `drawing` may be null.
 MeantLine meantLine(const document::Drawing* drawing, const std::vector<PicturePoint>& line, double reach);
 
 }  // namespace spineloft::app

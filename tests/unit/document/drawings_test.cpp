@@ -78,6 +78,31 @@ TEST_CASE("a line that closes nothing waits, and one more that meets both its en
   CHECK(closed.drawings[0]->lines[0].closed);
 }
 
+TEST_CASE("dashes between the ends of a line become its hidden part; such as lead nowhere or are hidden do not") {
+  Document document = after(paper(), {DrawLine{kPaper, bodyLine(), {}, true}, DrawLine{kPaper, legLine(360, 120)}});
+  const Document leg = document;
+  const auto dashes = dashesOf(hipLine(360, 120));
+  for (std::size_t k = 0; k < dashes.size(); ++k) {
+    document = after(document, {DrawLine{kPaper, dashes[k]}});
+    const std::size_t expected = k + 1 < dashes.size() ? 3 + k : 3;
+    CHECK(document.drawings[0]->lines.size() == expected);
+  }
+  const DrawnLine& hidden = document.drawings[0]->lines.back();
+  CHECK(hidden.hidden == std::vector<descriptive::Stretch>{{0, 1}});
+  CHECK(hidden.points.front() == legLine(360, 120).back());
+  CHECK(hidden.points.back() == legLine(360, 120).front());
+  REQUIRE(document.parts.size() == 2);
+  CHECK(ownLines(document, 1) == Lines{2, hidden.id.value});
+  CHECK(checkDrawing(document, *document.drawings[0]).ok());
+  Document nowhere = after(paper(), {DrawLine{kPaper, bodyLine(), {}, true}}), behind = leg;
+  for (const auto& dash : dashes) {
+    nowhere = after(nowhere, {DrawLine{kPaper, dash}});
+    behind = after(behind, {DrawLine{kPaper, dash, {{0, 1}}}});
+  }
+  CHECK(nowhere.drawings[0]->lines.size() == 1 + dashes.size());
+  CHECK(behind.drawings[0]->lines.size() == 2 + dashes.size());
+}
+
 TEST_CASE("lines go with their pieces, outlines close straight where a line goes, and an empty drawing is none") {
   const Document document = drawnCreature();
   // The body has its line only; the legs have none of it left.

@@ -126,6 +126,30 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("dashes by each pointer become the hidden line of a leg with the last one, which is undone to strokes") {
+  for (const platform::Device device : kDevices) {
+    CAPTURE(static_cast<int>(device));
+    Lines page;
+    page.draw(bodyLine(), true, device);
+    page.draw(legLine(360, 200), false, device);
+    const std::vector<std::vector<PicturePoint>> dashes = dashesOf(hipLine(360, 200), 5);
+    const double before = page.undoSteps();
+    for (const auto& dash : dashes) page.draw(dash, false, device);
+    CHECK(page.undoSteps() == before + static_cast<double>(dashes.size()));
+    const auto lines = [&] { return *page.drawing().find("lines")->array(); };
+    REQUIRE(lines().size() == 3);
+    CHECK(lines()[2].find("hidden")->array()->size() == 1);
+    CHECK(page.drawing().find("openEnds")->array()->empty());
+    CHECK(page.parts() == 2);
+    REQUIRE(page.bridges().size() == 1);
+    CHECK(page.bridges()[0] == std::pair{1.0, 2.0});
+    CHECK(page.works("undo"));
+    CHECK(lines().size() == 1 + dashes.size());
+    CHECK(page.works("redo"));
+    CHECK(lines().size() == 3);
+  }
+}
+
 TEST_CASE("a tap on a bridge swaps there only, and one more swaps back; keys do the same") {
   Lines page;
   page.drawCreature();
