@@ -115,13 +115,27 @@ function lookAt([over, under], [near, far], map) {
 }
 
 /** Of each recipe: who is drawn in front of whom wherever two pieces overlap, by their places in the list. */
+/** By piece: of two that overlap the higher one is in front. */
+const kHeights = {
+  fish: [3, 2, 1, 5, 1, 5],
+  airplane: [3, 5, 1, 1, 5],
+  propeller: [5, 2, 2, 2],
+  amphora: [3, 4, 1, 1],
+  bear: [4, 6, 2, 2, 5, 7, 7, 3, 2, 2],
+  kangaroo: [4, 6, 7, 5, 6, 1, 6, 2, 3],
+  tree: [10, 9, 8, 7, 12, 5, 3],
+  pipes: [3, 4, 2],
+  doll: [4, 5, 2, 6, 3, 3],
+  // Body, neck, tail, near legs, far legs.
+  dinosaur: [3, 5, 2, 6, 6, 1, 0],
+};
+
 const kOrders = {
   'bars-in-a-cycle': (a, b) => (a + 1) % 3 === b,
   'woven-mat': (a, b) => a < 4 !== b < 4 && ((Math.min(a, b) + Math.max(a, b)) % 2 === 0) === a < b,
   table: (a) => a === 0,
   chair: (a) => a === 0,
-  // Body, neck, tail, near legs, far legs.
-  dinosaur: (a, b) => [3, 5, 2, 6, 7, 1, 0][a] > [3, 5, 2, 6, 7, 1, 0][b],
+  ...Object.fromEntries(Object.entries(kHeights).map(([name, high]) => [name, (a, b) => high[a] > high[b]])),
 };
 
 for (const [name, isOver] of Object.entries(kOrders)) {
@@ -238,6 +252,23 @@ for (const name of ['table', 'chair']) {
     assert.ok(Math.max(...levels) - Math.min(...levels) < 0.06 * height, `${levels} of ${height}`);
   });
 }
+
+test('lines alone give the pieces that were meant, in every drawing', (t) => {
+  const folder = workFolder(t);
+  for (const name of [...Object.keys(kHeights), 'table', 'chair', 'bars-in-a-cycle']) {
+    const { drawing } = readJson(recipe(name));
+    const pieces =
+      drawing.pieces === 'auto' ? undefined : drawing.pieces?.map((piece) => ({ ...piece, kind: 'round' }));
+    assert.ok(pieces, name);
+    const meant = reportOf(folder, write(folder, { drawing: { ...drawing, pieces } }));
+    const found = reportOf(folder, write(folder, { drawing: { ...drawing, pieces: 'auto' } }));
+    assert.equal(found.pieces.length, meant.pieces.length, name);
+    for (const [i, { mesh }] of meant.pieces.entries()) {
+      assert.ok(Math.abs(found.pieces[i].mesh.volume / mesh.volume - 1) < 0.005, `${name}, piece ${i}`);
+    }
+    assert.deepEqual([found.openLines, found.lost, found.contradictions], [[], [], []], name);
+  }
+});
 
 test('pins win over right angles, and hold in the file', (t) => {
   const folder = workFolder(t);
