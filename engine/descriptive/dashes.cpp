@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/descriptive/lines.h"
+#include "engine/geometry/stroke_line.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -20,10 +22,8 @@ PicturePoint chordOf(const Points& points) { return points.back() - points.front
 
 bool isShort(const Line& line, double size) {
   if (line.closed || !line.hidden.empty() || line.points.size() < 2) return false;
-  double length = 0;
-  for (std::size_t i = 1; i < line.points.size(); ++i) length += distance(line.points[i - 1], line.points[i]);
   const double chord = norm(chordOf(line.points));
-  return chord > 0 && chord <= kLongestDash * size && length <= kMostCrooked * chord;
+  return chord > 0 && chord <= kLongestDash * size && geometry::lengthOf(line.points) <= kMostCrooked * chord;
 }
 
 double turnBetween(PicturePoint one, PicturePoint other) {

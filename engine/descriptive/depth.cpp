@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/base/groups.h"
 #include "engine/descriptive/depth_rows.h"
 
 namespace spineloft::descriptive {
@@ -35,15 +36,10 @@ std::vector<QpTerm> difference(std::vector<QpTerm> a, const std::vector<QpTerm>&
 /// Which overlaps bring pieces together: a forest of pairs, those with the largest piece first, then those that overlap
 /// most. A leg hangs on the table, not on the leg that it passes.
 std::vector<bool> contacts(const Overlaps& overlaps, std::size_t pieces) {
-  std::vector<std::size_t> area(pieces, 0), root(pieces);
+  std::vector<std::size_t> area(pieces, 0);
   for (std::uint32_t cell = 0; cell < overlaps.cells(); ++cell) {
     for (const std::uint32_t piece : overlaps.in(cell)) ++area[piece];
   }
-  std::iota(root.begin(), root.end(), std::size_t{0});
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
   const std::vector<Overlap>& all = overlaps.all();
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -51,10 +47,10 @@ std::vector<bool> contacts(const Overlaps& overlaps, std::size_t pieces) {
     return std::pair(std::max(area[all[k].a], area[all[k].b]), all[k].cells.size());
   });
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  Groups groups(pieces);
   for (const std::size_t k : order) {
-    const std::size_t a = find(all[k].a), b = find(all[k].b);
-    if (a == b) continue;
-    root[a] = b;
+    if (groups.of(all[k].a) == groups.of(all[k].b)) continue;
+    groups.unite(all[k].a, all[k].b);
     pairs.insert({all[k].a, all[k].b});
   }
   std::vector<bool> out;

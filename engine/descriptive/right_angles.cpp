@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <set>
-#include <utility>
+#include <optional>
 
 #include "engine/descriptive/axes.h"
 #include "engine/descriptive/straight.h"

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "engine/base/groups.h"
 #include "engine/descriptive/outlines.h"
 #include "engine/descriptive/square.h"
 #include "engine/descriptive/straight.h"
@@ -308,15 +308,10 @@ class Solid {
 
 /// Edges by what is connected.
 std::vector<std::vector<std::uint32_t>> connected(const Edges& edges) {
-  std::vector<std::uint32_t> root(edges.corners().size());
-  std::iota(root.begin(), root.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (const auto& edge : edges.all()) root[find(edge.ends.first)] = find(edge.ends.second);
+  Groups groups(edges.corners().size());
+  for (const auto& edge : edges.all()) groups.unite(edge.ends.first, edge.ends.second);
   std::map<std::uint32_t, std::vector<std::uint32_t>> sets;
-  for (std::uint32_t e = 0; e < edges.all().size(); ++e) sets[find(edges.all()[e].ends.first)].push_back(e);
+  for (std::uint32_t e = 0; e < edges.all().size(); ++e) sets[groups.of(edges.all()[e].ends.first)].push_back(e);
   std::vector<std::vector<std::uint32_t>> out;
   for (auto& [first, set] : sets) out.push_back(std::move(set));
   // In the order of lines.

@@ -68,10 +68,16 @@ std::vector<const Part*> piecesOf(const Document& document, DrawingId drawing) {
   return parts;
 }
 
+std::vector<descriptive::Line> plainLines(const Drawing& drawing) {
+  std::vector<descriptive::Line> lines;
+  for (const DrawnLine& line : drawing.lines) lines.push_back({line.points, line.hidden, line.closed});
+  return lines;
+}
+
 PlainDrawing plainDrawing(const Document& document, const Drawing& drawing) {
   PlainDrawing plain;
   if (const PictureEntry* entry = findPicture(document, drawing.picture)) plain.drawing.size = entry->size;
-  for (const DrawnLine& line : drawing.lines) plain.drawing.lines.push_back({line.points, line.hidden, line.closed});
+  plain.drawing.lines = plainLines(drawing);
   for (const Part* part : piecesOf(document, drawing.id)) {
     plain.pieces.push_back(part->id);
     plain.drawing.pieces.push_back(pieceOf(drawing, *elementOf(*part), plain.drawing.size));

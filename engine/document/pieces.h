@@ -14,6 +14,8 @@ struct PlainDrawing {
   std::vector<PartId> pieces;  ///< the part that each piece is, oldest first
 };
 PlainDrawing plainDrawing(const Document& document, const Drawing& drawing);
+/// Its lines alone.
+std::vector<descriptive::Line> plainLines(const Drawing& drawing);
 
 /// Its pieces, oldest first.
 std::vector<const Part*> piecesOf(const Document& document, DrawingId drawing);

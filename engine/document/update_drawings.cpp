@@ -120,7 +120,7 @@ class Encloser {
     double size = 0;
   };
   Result<Measured> measure() const {
-    Measured out{plainDrawing(document_, drawing_).drawing.lines, {}, {}, 0};
+    Measured out{plainLines(drawing_), {}, {}, 0};
     Result<std::vector<descriptive::MeasuredLine>> lines = descriptive::meetingLines(out.drawn);
     if (!lines) return lines.failure();
     out.lines = std::move(lines).value();
@@ -260,13 +260,12 @@ Status shapeElement(const Document& document, ElementRecipe& element, descriptiv
 
 /// Lines of no piece at the end of the list that are dashes become one hidden line.
 void joinDashes(const Document& document, Drawing& drawing) {
-  std::vector<descriptive::Line> lines;
-  const std::vector<LineId> free = freeLines(document, drawing);
-  for (const DrawnLine& line : drawing.lines) lines.push_back({line.points, line.hidden, line.closed});
+  const std::vector<descriptive::Line> lines = plainLines(drawing);
   const double size = descriptive::sizeOf(lines);
   const std::size_t from = descriptive::firstDash(lines, size);
   std::optional<descriptive::Line> dashed = descriptive::dashedLine(lines, from, lines.size(), size);
   if (!dashed) return;
+  const std::vector<LineId> free = freeLines(document, drawing);
   const auto first = drawing.lines.begin() + static_cast<std::ptrdiff_t>(from);
   const auto isMarked = [&](const auto& marks, LineId id) {
     return std::ranges::find(marks, id, &std::decay_t<decltype(marks[0])>::line) != marks.end();

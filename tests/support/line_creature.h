@@ -56,17 +56,17 @@ inline std::vector<PicturePoint> hipLine(double x, double width = 70) {
   return line;
 }
 
-/// The same line as dashes by hand, the first and the last a little off its ends.
-inline std::vector<std::vector<PicturePoint>> dashesOf(const std::vector<PicturePoint>& line, int count = 7) {
+/// The same line as dashes by hand, the first and the last a little off its ends; `share` of it are dashes.
+inline std::vector<std::vector<PicturePoint>> dashesOf(const std::vector<PicturePoint>& line, int count = 7,
+                                                       double share = 0.6) {
   std::vector<double> s;
   geometry::arcLengths(std::span<const PicturePoint>(line), s);
   std::vector<std::vector<PicturePoint>> dashes;
   for (int k = 0; k < count; ++k) {
     std::vector<PicturePoint>& dash = dashes.emplace_back();
     for (int i = 0; i <= 6; ++i) {
-      const double share = (k + 0.2 + 0.6 * i / 6) / count;
-      dash.push_back(
-          geometry::pointAt(std::span<const PicturePoint>(line), std::span<const double>(s), share * s.back()));
+      const double at = (k + (1 - share) / 2 + share * i / 6) / count;
+      dash.push_back(geometry::pointAt(std::span<const PicturePoint>(line), std::span<const double>(s), at * s.back()));
     }
   }
   return dashes;

@@ -6,8 +6,10 @@
 
 #include "engine/descriptive/dashes.h"
 #include "engine/descriptive/lines.h"
+#include "engine/document/pieces.h"
 #include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
+#include "engine/geometry/stroke_line.h"
 #include "web/words/words.h"
 
 namespace spineloft::app {
@@ -69,15 +71,9 @@ bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
   });
 }
 
-double lengthOf(const std::vector<PicturePoint>& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-  return length;
-}
-
 /// Brings the last point of a line to what is there.
 void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoint>& line) {
-  const double length = lengthOf(line), most = std::min(reach, kMostCut * length);
+  const double length = geometry::lengthOf(line), most = std::min(reach, kMostCut * length);
   std::optional<PicturePoint> end;
   for (const document::DrawnLine& other : drawing.lines) {
     if (other.closed) continue;
@@ -115,15 +111,20 @@ void meet(const document::Drawing& drawing, double reach, std::vector<PicturePoi
   if (on) line.push_back(*on);
 }
 
-/// How far a stroke begins from the dash after which it is one more; else none.
-std::optional<double> gapBeforeDash(const document::Drawing* drawing, const std::vector<PicturePoint>& stroke) {
+/// A stroke that is one more dash after the last line.
+struct NextDash {
+  double gap = 0;          ///< between the two
+  bool backwards = false;  ///< its last point is the nearer one
+};
+std::optional<NextDash> nextDash(const document::Drawing* drawing, const std::vector<PicturePoint>& stroke) {
   if (drawing == nullptr || drawing->lines.empty()) return std::nullopt;
-  std::vector<descriptive::Line> lines;
-  for (const document::DrawnLine& line : drawing->lines) lines.push_back({line.points, line.hidden, line.closed});
-  const descriptive::Line last = lines.back();
+  std::vector<descriptive::Line> lines = document::plainLines(*drawing);
   lines.push_back({stroke, {}, false});
-  if (!descriptive::isDashAfter(last, lines.back(), descriptive::sizeOf(lines))) return std::nullopt;
-  return std::min(distance(last.points.front(), stroke.front()), distance(last.points.back(), stroke.front()));
+  const std::vector<PicturePoint>& last = lines[lines.size() - 2].points;
+  if (!descriptive::isDashAfter(lines[lines.size() - 2], lines.back(), descriptive::sizeOf(lines))) return std::nullopt;
+  const auto gapTo = [&](PicturePoint p) { return std::min(distance(last.front(), p), distance(last.back(), p)); };
+  const double front = gapTo(stroke.front()), back = gapTo(stroke.back());
+  return NextDash{std::min(front, back), back < front};
 }
 
 }  // namespace
@@ -211,18 +212,19 @@ MeantLine meantLine(const document::Drawing* drawing, const std::vector<PictureP
   MeantLine meant{line, false};
   std::vector<PicturePoint>& points = meant.points;
   if (points.size() < 2) return meant;
-  const double length = lengthOf(points), gap = distance(points.front(), points.back());
+  const double length = geometry::lengthOf(points), gap = distance(points.front(), points.back());
   // What begins and ends on a line at two places is closed by that line.
   const bool onLines = gap > reach / 2 && drawing != nullptr && isOnLine(*drawing, points.front(), reach) &&
                        isOnLine(*drawing, points.back(), reach);
   meant.closed = points.size() > 3 && gap <= reach && length > kLongEnough * std::max(gap, reach) && !onLines;
-  if (const std::optional<double> dash = gapBeforeDash(drawing, line)) {
-    meet(*drawing, std::min(reach, *dash), points);
-    meant.closed = false;
-  } else if (!meant.closed && drawing != nullptr) {
-    meet(*drawing, reach, points);
+  const std::optional<NextDash> dash = nextDash(drawing, line);
+  if (dash) meant.closed = false;
+  if (!meant.closed && drawing != nullptr) {
+    // The end of a dash towards the one before stays where it was drawn.
+    const double most = dash ? std::min(reach, dash->gap) : reach;
+    if (!dash || !dash->backwards) meet(*drawing, most, points);
     std::ranges::reverse(points);
-    meet(*drawing, reach, points);
+    if (!dash || dash->backwards) meet(*drawing, most, points);
     std::ranges::reverse(points);
   }
   points = geometry::simplifiedLine(std::span<const PicturePoint>(points), kThinning);

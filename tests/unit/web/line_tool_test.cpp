@@ -1,6 +1,7 @@
 // The tool Lines: pieces from lines, seen and hidden, bridges and rings by every pointer, keys and words.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -127,12 +128,16 @@ TEST_CASE(
 }
 
 TEST_CASE("dashes by each pointer become the hidden line of a leg with the last one, which is undone to strokes") {
-  for (const platform::Device device : kDevices) {
+  for (int way = 0; way < 6; ++way) {
+    const platform::Device device = kDevices[static_cast<std::size_t>(way / 2)];
+    const bool toAndFro = way % 2 == 1;
     CAPTURE(static_cast<int>(device));
+    CAPTURE(toAndFro);
     Lines page;
     page.draw(bodyLine(), true, device);
     page.draw(legLine(360, 200), false, device);
-    const std::vector<std::vector<PicturePoint>> dashes = dashesOf(hipLine(360, 200), 5);
+    std::vector<std::vector<PicturePoint>> dashes = dashesOf(hipLine(360, 200), 6, 0.75);
+    for (std::size_t k = 1; toAndFro && k < dashes.size(); k += 2) std::ranges::reverse(dashes[k]);
     const double before = page.undoSteps();
     for (const auto& dash : dashes) page.draw(dash, false, device);
     CHECK(page.undoSteps() == before + static_cast<double>(dashes.size()));
