@@ -6,6 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
 import { closePinnedSuite, installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
+import { compileNativeModules, installNodeHeaders } from './lib/native_modules.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
 import { buildDir, cacheDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
@@ -52,6 +53,12 @@ async function findFacts(parts) {
   };
 }
 
+/** Waits for the end of every one of these, also where one fails. */
+async function all(promises) {
+  const failed = (await Promise.allSettled(promises)).find(({ status }) => status === 'rejected');
+  if (failed) throw failed.reason;
+}
+
 /**
  * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), database (PostgreSQL for tests of
  * the share server), readers (programs that some tests have read what was saved, where they can be installed).
@@ -65,9 +72,13 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
     removeLeftovers();
     await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'readers')]);
     if (parts.includes('readers')) await installIfPossible('readers');
-    if (parts.includes('node')) await installNodePackages();
+    if (parts.includes('node')) {
+      await installNodePackages();
+      await installNodeHeaders();
+    }
     try {
-      writeFacts(await findFacts(parts));
+      // A compiler on one core and downloads do not wait for each other.
+      await all([parts.includes('node') ? compileNativeModules() : null, findFacts(parts).then(writeFacts)]);
     } finally {
       closePinnedSuite();
     }
