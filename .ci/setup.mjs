@@ -72,13 +72,14 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
     removeLeftovers();
     await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'readers')]);
     if (parts.includes('readers')) await installIfPossible('readers');
-    if (parts.includes('node')) {
-      await installNodePackages();
-      await installNodeHeaders();
-    }
+    const wantsNode = parts.includes('node');
+    if (wantsNode) await installNodeHeaders();
     try {
-      // A compiler on one core and downloads do not wait for each other.
-      await all([parts.includes('node') ? compileNativeModules() : null, findFacts(parts).then(writeFacts)]);
+      // Downloads and a compiler on one core do not wait for each other.
+      await all([
+        wantsNode ? installNodePackages().then(compileNativeModules) : null,
+        findFacts(parts).then(writeFacts),
+      ]);
     } finally {
       closePinnedSuite();
     }

@@ -37,13 +37,22 @@ struct Run {
   double from = 0, to = 1;
   bool operator==(const Run&) const = default;
 };
-/// A closed outline: each run begins where the one before it ends, the first where the last ends; gaps close straight.
+/// A closed outline: each run begins where the one before it ends, the first where the last ends; gaps are closed
+/// (pathOf of outlines.h).
 using Outline = std::vector<Run>;
 
 enum class PieceKind : std::uint8_t {
   Round,  ///< swollen over its outline: a circle becomes a ball
   Flat,   ///< a plane with a thickness
   Solid,  ///< between plane faces: its outlines are those of its faces, counter-clockwise seen from outside (y up)
+  kCount
+};
+
+/// From where things with right angles are seen (right_angles.h); what is drawn looks the same from both.
+enum class SeenFrom : std::uint8_t {
+  Above,
+  Below,
+  Unknown,  ///< right angles say nothing
   kCount
 };
 
@@ -80,6 +89,7 @@ struct Drawing {
   std::vector<Pin> pins;
   std::vector<Place> folds;  ///< where a line may turn off its plane (paper, 5.2.1)
   std::vector<GivenOrder> orders;
+  SeenFrom seenFrom = SeenFrom::Above;
   bool operator==(const Drawing&) const = default;
 };
 

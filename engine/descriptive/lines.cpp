@@ -124,6 +124,18 @@ std::vector<End> weldEnds(std::vector<MeasuredLine>& lines, double size) {
   return alone;
 }
 
+template <class AnyLine>
+double longerSide(std::span<const AnyLine> lines) {
+  PicturePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  for (const AnyLine& line : lines) {
+    for (const PicturePoint p : line.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  return lines.empty() ? 0 : std::max({high.x - low.x, high.y - low.y, 0.0});
+}
+
 /// Where the segments a–b and c–d cross: the shares of both. None for parallel ones.
 bool crossing(PicturePoint a, PicturePoint b, PicturePoint c, PicturePoint d, double& t, double& u) {
   const PicturePoint r = b - a, q = d - c;
@@ -185,16 +197,8 @@ bool MeasuredLine::isHidden(double share) const {
   return std::ranges::any_of(hidden, [&](const Stretch& one) { return one.from <= share && share <= one.to; });
 }
 
-double sizeOf(std::span<const Line> lines) {
-  PicturePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  for (const Line& line : lines) {
-    for (const PicturePoint p : line.points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
-  return lines.empty() ? 0 : std::max({high.x - low.x, high.y - low.y, 0.0});
-}
+double sizeOf(std::span<const Line> lines) { return longerSide(lines); }
+double sizeOf(std::span<const MeasuredLine> lines) { return longerSide(lines); }
 
 Result<std::vector<MeasuredLine>> meetingLines(std::span<const Line> lines) {
   if (lines.size() > kMostLines) return Error::ValueOutOfRange;

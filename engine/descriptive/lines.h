@@ -22,6 +22,7 @@ struct MeasuredLine {
 
 /// The longer side of the bounds of all lines, pixels; 0 without lines.
 double sizeOf(std::span<const Line> lines);
+double sizeOf(std::span<const MeasuredLine> lines);
 
 /// What every length below is a share of the drawing's size of.
 inline constexpr double kClosing = 0.04;    ///< ends of one line nearer than this close it

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "engine/descriptive/dashes.h"
@@ -38,7 +39,8 @@ bool isSound(const Drawing& drawing, std::size_t pieces) {
   for (const GivenOrder& one : drawing.orders) {
     if (one.over >= pieces || one.under >= pieces || one.over == one.under || !isFinite(one.at)) return false;
   }
-  return std::ranges::all_of(drawing.folds, isPlace) && drawing.size.width > 0 && drawing.size.height > 0;
+  return drawing.seenFrom < SeenFrom::kCount && std::ranges::all_of(drawing.folds, isPlace) && drawing.size.width > 0 &&
+         drawing.size.height > 0;
 }
 
 bool holdsPlace(const Piece& piece, const Place& place) {
@@ -202,7 +204,12 @@ class Maker {
   }
   /// What goes along one of three axes at right angles is as deep as they say.
   void square() {
-    for (const Rise& one : risesOf(sheets_, pieces_, model_.size)) {
+    const RightAngles angles = rightAnglesOf(sheets_, pieces_, model_.size, drawing_.seenFrom);
+    model_.up = angles.up;
+    for (const Patch& patch : patches_) {
+      if (!model_.up && patch.faced() != nullptr) model_.up = patch.faced()->up;
+    }
+    for (const Rise& one : angles.rises) {
       const PiecePlace from = rimAt(one.piece, one.from), to = rimAt(one.piece, one.to);
       // What the board cuts off is at no rim.
       if (isThere(from, one.from) && isThere(to, one.to)) {
@@ -231,14 +238,34 @@ class Maker {
   }
   void finish(const Depths& depths) {
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-      model_.solids.push_back({made_[i], solidOf(patches_[i], pieces_[i], depths.pieces[i], scale_, drawing_.size),
-                               sheets_[i].region, offPlane(patches_[i], depths.pieces[i])});
+      ModelPiece piece{made_[i],
+                       solidOf(patches_[i], pieces_[i], depths.pieces[i], scale_, drawing_.size),
+                       sheets_[i].region,
+                       {},
+                       offPlane(patches_[i], depths.pieces[i])};
+      piece.rim = rimOf(patches_[i], depths.pieces[i], piece.mesh);
+      model_.solids.push_back(std::move(piece));
+      for (OutlinePath& outline : sheets_[i].outlines) {
+        std::ranges::move(outline.completed, std::back_inserter(model_.completed));
+      }
     }
     for (const std::uint32_t overlap : depths.conflict) {
       const Order& order = model_.orders.orders[overlap];
       model_.conflicts.push_back({order.over, order.under});
     }
     model_.depth = depths.stats;
+  }
+  std::vector<ModelPoint> rimOf(const Patch& patch, const PieceDepth& depth, const mesh::TriMesh& mesh) const {
+    std::vector<ModelPoint> rim;
+    if (patch.faced() != nullptr) {
+      for (const auto& p : mesh.positions) rim.push_back({p[0], p[1], p[2]});
+      return rim;
+    }
+    for (std::size_t i = 0; i < patch.mesh().rim(); ++i) {
+      const SectionPoint p = patch.mesh().points()[i];
+      rim.push_back({p.x, p.y, depth.middle[i] * scale_.size});
+    }
+    return rim;
   }
   double offPlane(const Patch& patch, const PieceDepth& depth) const {
     if (patch.faced() != nullptr) return patch.faced()->offPlane;

@@ -1,6 +1,7 @@
 // A drawing of lines as solids: lines, outlines, orders, depths, meshes in one go.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,11 @@ namespace spineloft::descriptive {
 
 /// One piece as a solid.
 struct ModelPiece {
-  std::uint32_t piece = 0;    ///< index in Model::pieces
-  mesh::TriMesh mesh;         ///< ModelSpace, closed
-  geometry::Contours region;  ///< what its outlines enclose in the picture
-  double planarity = 0;       ///< how far the outline is from its plane, the most, as a share of the drawing's size
+  std::uint32_t piece = 0;      ///< index in Model::pieces
+  mesh::TriMesh mesh;           ///< ModelSpace, closed
+  geometry::Contours region;    ///< what its outlines enclose in the picture
+  std::vector<ModelPoint> rim;  ///< points of its middle surface along its outlines; of kind Solid its corners
+  double planarity = 0;         ///< how far the outline is from its plane, the most, as a share of the drawing's size
 };
 
 /// A piece that is none: what its outline encloses makes no solid.
@@ -31,7 +33,9 @@ struct Model {
   std::vector<ModelPiece> solids;
   std::vector<LostPiece> lost;
   std::vector<std::uint32_t> openLines;                 ///< lines in no outline
+  std::vector<std::vector<PicturePoint>> completed;     ///< ways along outlines that no line draws
   std::vector<std::array<std::uint32_t, 2>> conflicts;  ///< pairs of solids whose order cannot hold in depth
+  std::optional<ModelPoint> up;  ///< of length 1: what right angles say is upright; none: nothing says it
   DepthStats depth;
   double size = 0;  ///< of the drawing, pixels
 };

@@ -5,6 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "engine/descriptive/completion.h"
+#include "engine/geometry/line_distance.h"
+
 namespace spineloft::descriptive {
 namespace {
 
@@ -63,8 +66,21 @@ class Pairing {
   double cost_ = std::numeric_limits<double>::infinity();
 };
 
+/// Two ends that meet on a third line and come from the same side are no corner: both end there.
+bool bothEndThere(std::span<const MeasuredLine> lines, const Node& node, PicturePoint one, PicturePoint other,
+                  double size) {
+  constexpr double kSharpest = 2.1;  // radians, about 120°
+  if (turnOf(one, other) < kSharpest * kSharpest) return false;
+  for (std::uint32_t k = 0; k < lines.size(); ++k) {
+    if (std::ranges::find(node.places, k, &Place::line) != node.places.end()) continue;
+    if (geometry::distanceToLine(node.at, std::span<const PicturePoint>(lines[k].points)) <= kWelding * size)
+      return true;
+  }
+  return false;
+}
+
 /// For every end the end with which it goes on.
-std::vector<EndId> partnersOf(std::span<const MeasuredLine> lines, std::span<const Node> nodes) {
+std::vector<EndId> partnersOf(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size) {
   std::vector<EndId> partner(2 * lines.size(), kNoEnd);
   for (const Node& node : nodes) {
     if (node.kind != NodeKind::Corner) continue;
@@ -75,9 +91,11 @@ std::vector<EndId> partnersOf(std::span<const MeasuredLine> lines, std::span<con
     }
     const Pairing pairing(directions);
     for (std::size_t i = 0; i < directions.size(); ++i) {
-      if (const int other = pairing.partners()[i]; other >= 0) {
-        partner[endAt(node.places[i])] = endAt(node.places[static_cast<std::size_t>(other)]);
-      }
+      const int found = pairing.partners()[i];
+      if (found < 0) continue;
+      const auto other = static_cast<std::size_t>(found);
+      if (bothEndThere(lines, node, directions[i], directions[other], size)) continue;
+      partner[endAt(node.places[i])] = endAt(node.places[other]);
     }
   }
   return partner;
@@ -135,8 +153,55 @@ Chain chainThrough(const std::vector<EndId>& partner, std::uint32_t line, std::s
 
 }  // namespace
 
+namespace {
+
+/// What can hide something: closed lines and chains, and chains that would close by themselves behind others.
+std::vector<Cover> coversOf(std::span<const MeasuredLine> lines, const std::vector<EndId>& partner) {
+  std::vector<Cover> covers;
+  std::vector<bool> used(lines.size(), false);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    if (used[i]) continue;
+    Chain chain{{{i, 0, 1}}, kNoEnd, kNoEnd, true};
+    if (!lines[i].closed) chain = chainThrough(partner, i, lines.size());
+    Cover cover;
+    for (const Run& run : chain.runs) {
+      used[run.line] = true;
+      cover.lines.push_back(run.line);
+    }
+    auto path = pathOf(lines, chain.runs);
+    if (!path || (!chain.closed && path.value().completed.empty())) continue;
+    cover.outline = std::move(path).value().points;
+    covers.push_back(std::move(cover));
+  }
+  return covers;
+}
+
+/// Ends that lie on another line and go on behind it get the end at which they come out again.
+void pairHidden(std::span<const MeasuredLine> lines, double size, std::vector<EndId>& partner) {
+  for (;;) {
+    std::vector<EndId> ids;
+    std::vector<LineEnd> ends;
+    for (EndId id = 0; id < partner.size(); ++id) {
+      if (lines[id / 2].closed || partner[id] != kNoEnd) continue;
+      ids.push_back(id);
+      ends.push_back(endOf(lines, id / 2, id % 2 == 1));
+    }
+    if (ends.size() < 2) return;
+    const auto pairs = hiddenPairs(ends, coversOf(lines, partner), size);
+    if (pairs.empty()) return;
+    for (const auto& [one, other] : pairs) {
+      partner[ids[one]] = ids[other];
+      partner[ids[other]] = ids[one];
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<Outline> proposeOutlines(std::span<const MeasuredLine> lines, std::span<const Node> nodes) {
-  const std::vector<EndId> partner = partnersOf(lines, nodes);
+  const double size = sizeOf(lines);
+  std::vector<EndId> partner = partnersOf(lines, nodes, size);
+  pairHidden(lines, size, partner);
   std::vector<Outline> out;
   std::vector<bool> used(lines.size(), false);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -172,9 +237,26 @@ void addRun(const MeasuredLine& line, const Run& run, OutlinePath& path) {
   if (run.from > run.to) std::ranges::reverse(shares);
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     path.points.push_back(line.at(shares[i]));
-    path.places.push_back({run.line, shares[i]});
     path.hidden.push_back(line.isHidden((shares[i] + shares[i + 1]) / 2));
   }
+}
+
+/// Closes the gap between the end of a run and the beginning of the next one; with its first point, without its last.
+void addGap(std::span<const MeasuredLine> lines, const Run& run, const Run& next, OutlinePath& path) {
+  std::vector<PicturePoint> points{lines[run.line].at(run.to), lines[next.line].at(next.from)};
+  bool isHidden = false;
+  if ((run.to == 0 || run.to == 1) && (next.from == 0 || next.from == 1)) {
+    const LineEnd from = endOf(lines, run.line, run.to == 1), to = endOf(lines, next.line, next.from == 1);
+    const double size = sizeOf(lines);
+    HiddenWay way = hiddenWay(from, to);
+    isHidden = way.turn <= kMostHiddenTurn && isOnOther(lines, from, size) && isOnOther(lines, to, size);
+    if (isHidden) points = std::move(way.points);
+  }
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    path.points.push_back(points[i]);
+    path.hidden.push_back(isHidden);
+  }
+  if (isHidden) path.completed.push_back(std::move(points));
 }
 
 }  // namespace
@@ -188,13 +270,7 @@ Result<OutlinePath> pathOf(std::span<const MeasuredLine> lines, const Outline& o
     addRun(lines[run.line], run, path);
     const Run& next = outline[(i + 1) % outline.size()];
     if (next.line >= lines.size()) return Error::ValueOutOfRange;
-    // A gap to the next run closes straight, and is seen.
-    const PicturePoint end = lines[run.line].at(run.to);
-    if (distance(end, lines[next.line].at(next.from)) > 1e-6) {
-      path.points.push_back(end);
-      path.places.push_back({run.line, run.to});
-      path.hidden.push_back(false);
-    }
+    if (distance(lines[run.line].at(run.to), lines[next.line].at(next.from)) > 1e-6) addGap(lines, run, next, path);
   }
   if (path.points.size() < 3) return Error::RegionEmpty;
   return path;

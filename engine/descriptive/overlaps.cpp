@@ -15,9 +15,8 @@ namespace {
 /// From corner to corner: ends of lines that are drawn past a corner, or not as far, are at it.
 OutlinePath straightPath(std::span<const MeasuredLine> lines, const Outline& outline, double size) {
   OutlinePath path;
-  const auto add = [&](PicturePoint p, Place place, bool hidden) {
+  const auto add = [&](PicturePoint p, bool hidden) {
     path.points.push_back(p);
-    path.places.push_back(place);
     path.hidden.push_back(hidden);
   };
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -25,11 +24,11 @@ OutlinePath straightPath(std::span<const MeasuredLine> lines, const Outline& out
     const PicturePoint arrival = lines[before.line].at(before.to), start = lines[run.line].at(run.from);
     const bool isHidden = lines[run.line].isHidden((run.from + run.to) / 2);
     if (distance(arrival, start) <= 2 * kSameCorner * size) {
-      add((arrival + start) / 2, {run.line, run.from}, isHidden);
+      add((arrival + start) / 2, isHidden);
     } else {
       // An edge whose line is gone.
-      add(arrival, {before.line, before.to}, false);
-      add(start, {run.line, run.from}, isHidden);
+      add(arrival, false);
+      add(start, isHidden);
     }
   }
   return path;

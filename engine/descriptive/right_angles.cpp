@@ -77,13 +77,15 @@ std::optional<Axes> axesOf(const std::vector<StraightStretch>& all, const Direct
 
 }  // namespace
 
-std::vector<Rise> risesOf(std::span<const Sheet> sheets, std::span<const Piece> pieces, double size) {
+RightAngles rightAnglesOf(std::span<const Sheet> sheets, std::span<const Piece> pieces, double size,
+                          SeenFrom seenFrom) {
+  if (seenFrom == SeenFrom::Unknown) return {};
   const std::vector<StraightStretch> all = stretchesOf(sheets, pieces, size);
   std::vector<SectionPoint> ways;
   for (const StraightStretch& one : all) ways.push_back(one.way());
   const Directions directions = directionsOf(ways);
   const std::optional<Axes> axes = axesOf(all, directions);
-  std::vector<Rise> out;
+  RightAngles out;
   if (!axes) return out;
   const auto counts = countsOf(all, directions, *axes);
   const auto unitOf = [&](std::size_t axis) { return directions.all[axes->direction[axis]].unit; };
@@ -91,7 +93,9 @@ std::vector<Rise> risesOf(std::span<const Sheet> sheets, std::span<const Piece> 
   for (std::size_t axis = 1; axis < 3; ++axis) {
     if (unitOf(axis).y > unitOf(upright).y) upright = axis;
   }
-  const double sign = axes->slope[upright] < 0 ? -1 : 1;
+  const double sign = (axes->slope[upright] < 0) == (seenFrom == SeenFrom::Above) ? -1 : 1;
+  const SectionPoint drawnUp = unitOf(upright);
+  out.up = normalized(ModelPoint{drawnUp.x, drawnUp.y, sign * axes->slope[upright]});
   const StraightStretch* last = nullptr;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const StraightStretch& one = all[i];
@@ -100,7 +104,7 @@ std::vector<Rise> risesOf(std::span<const Sheet> sheets, std::span<const Piece> 
     if (axis == kNoAxis || hasAllAxes(count)) continue;
     const auto add = [&](PicturePoint from, PicturePoint to) {
       const SectionPoint way{to.x - from.x, from.y - to.y};
-      out.push_back({one.piece, from, to, sign * axes->slope[axis] * dot(way, unitOf(axis))});
+      out.rises.push_back({one.piece, from, to, sign * axes->slope[axis] * dot(way, unitOf(axis))});
     };
     add(one.from, one.to);
     const bool isSameBar = last != nullptr && last->outline == one.outline && std::ranges::count(count, 0) == 2;

@@ -114,6 +114,7 @@ class Squarer {
       out.corners.push_back({X_[i].x(), X_[i].y(), X_[i].z() - mean});
       out.moved = std::max(out.moved, (X_[i].head<2>() - drawn_[i]).norm());
     }
+    out.up = up();
     for (const Plane& plane : planes_) out.offPlane = std::max(out.offPlane, std::abs(offPlane(plane, nullptr)));
     if (!(volume() > 0) || out.offPlane > 1e-3) return Failure{Error::ShapeInvalid, "its faces are no planes"};
     return out;
@@ -204,6 +205,23 @@ class Squarer {
     const Eigen::JacobiSVD<Matrix3d> svd(means, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Matrix3d axes = svd.matrixU() * svd.matrixV().transpose();
     return {axes.col(0), axes.col(1), axes.col(2)};
+  }
+  ModelPoint up() const {
+    constexpr double kBase = 0.94;  // cosine of 20°
+    const std::array<Vector3d, 3> axes = axesNow();
+    Vector3d most = std::ranges::max(axes, {}, [](const Vector3d& axis) { return std::abs(axis.y()); });
+    if (most.y() < 0) most = -most;
+    const Vector3d axis = most;
+    double best = kBase;
+    for (const Wireframe::Face& face : wireframe_.faces) {
+      Vector3d normal = Vector3d::Zero();
+      for (std::size_t i = 0; i < face.size(); ++i) normal += X_[face[i]].cross(X_[face[(i + 1) % face.size()]]);
+      const double down = -normal.normalized().dot(axis);
+      if (down <= best) continue;
+      best = down;
+      most = -normal.normalized();
+    }
+    return {most.x(), most.y(), most.z()};
   }
   void polish() {
     const std::vector<Vector3d> start = X_;

@@ -12,6 +12,7 @@ namespace spineloft::descriptive {
 struct FacedSolid {
   std::vector<ModelPoint> corners;     ///< shares of the size, y up, in the order of Wireframe::corners; mean z is 0
   std::vector<Wireframe::Face> faces;  ///< those of the wireframe
+  ModelPoint up;                       ///< of length 1: off the face that is its base, see squared()
   double moved = 0;                    ///< how far a corner is from where it was drawn, the most, a share of the size
   double offPlane = 0;                 ///< how far a corner is from the plane of a face, the most
 };
@@ -22,7 +23,8 @@ struct FacedSolid {
 /// one with most edges. Depths are those of least squares with these slopes, with edges of one other direction parallel
 /// and faces plane; what is seen is in front. Then corners move so that every face is exactly a plane and edges keep
 /// their axes: Σ(Δx² + Δy² + Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in
-/// each of at most kMostRounds steps of Gauss and Newton. Errors: ShapeInvalid where no three directions are
+/// each of at most kMostRounds steps of Gauss and Newton. Up is the axis that is most upright in the picture, and
+/// exactly off the face below where one lies within 20° across it. Errors: ShapeInvalid where no three directions are
 /// right-angled, or faces that cannot be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 

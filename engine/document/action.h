@@ -185,6 +185,11 @@ struct PinDepth {
   double at = 0;            ///< share of the line's length
   std::optional<double> z;  ///< picture pixels
 };
+/// From where things with right angles are seen in a drawing.
+struct SeeDrawing {
+  DrawingId drawing;
+  descriptive::SeenFrom from = descriptive::SeenFrom::Above;
+};
 /// What a piece is made of its outlines.
 struct ShapePiece {
   PartId part;
@@ -325,7 +330,7 @@ using AnyAction =
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
-                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, ShapePiece, SetSide>;
+                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide>;
 using Action = OneOf<AnyAction>;
 
 }  // namespace spineloft::document

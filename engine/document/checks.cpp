@@ -214,6 +214,7 @@ Status checkDrawing(const Document& document, const Drawing& drawing) {
   if (std::max({drawing.pins.size(), drawing.folds.size(), drawing.orders.size()}) > kMostMarks) {
     return {Error::ValueOutOfRange, "too many pins, folds or orders"};
   }
+  if (drawing.seenFrom >= descriptive::SeenFrom::kCount) return {Error::ValueOutOfRange, "seenFrom"};
   const auto isShare = [](double at) { return at >= 0 && at <= 1; };
   for (const auto& [line, at, z] : drawing.pins) {
     if (findLine(drawing, line) == nullptr) return Error::NoSuchLine;

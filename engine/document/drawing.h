@@ -61,9 +61,10 @@ struct Drawing {
   std::vector<DrawnLine> lines;  ///< in the order they were drawn
   std::vector<DepthPin> pins;
   std::vector<LineFold> folds;
-  std::vector<PieceOrder> orders;  ///< of two for one place the later one counts
-  std::uint32_t lastLineId = 0;    ///< ids of lines are never reused
-  std::string extra;               ///< as PictureEntry::extra
+  std::vector<PieceOrder> orders;                                 ///< of two for one place the later one counts
+  descriptive::SeenFrom seenFrom = descriptive::SeenFrom::Above;  ///< what has right angles
+  std::uint32_t lastLineId = 0;                                   ///< ids of lines are never reused
+  std::string extra;                                              ///< as PictureEntry::extra
   bool operator==(const Drawing&) const = default;
 };
 

@@ -78,6 +78,7 @@ PlainDrawing plainDrawing(const Document& document, const Drawing& drawing) {
   PlainDrawing plain;
   if (const PictureEntry* entry = findPicture(document, drawing.picture)) plain.drawing.size = entry->size;
   plain.drawing.lines = plainLines(drawing);
+  plain.drawing.seenFrom = drawing.seenFrom;
   for (const Part* part : piecesOf(document, drawing.id)) {
     plain.pieces.push_back(part->id);
     plain.drawing.pieces.push_back(pieceOf(drawing, *elementOf(*part), plain.drawing.size));

@@ -349,6 +349,7 @@ struct Apply {
   Status operator()(const DeleteLine& a) const { return applyDrawing(document, a); }
   Status operator()(const OrderPieces& a) const { return applyDrawing(document, a); }
   Status operator()(const PinDepth& a) const { return applyDrawing(document, a); }
+  Status operator()(const SeeDrawing& a) const { return applyDrawing(document, a); }
   Status operator()(const ShapePiece& a) const { return applyDrawing(document, a); }
   Status operator()(const CombineParts& a) const { return applyStep(document, a); }
   Status operator()(const SetStep& a) const { return applyStep(document, a); }

@@ -353,6 +353,13 @@ Status applyDrawing(Document& document, const PinDepth& a) {
   });
 }
 
+Status applyDrawing(Document& document, const SeeDrawing& a) {
+  return editDrawing(document, a.drawing, [&](Drawing& drawing) -> Status {
+    drawing.seenFrom = a.from;
+    return checkDrawing(document, drawing);
+  });
+}
+
 Status applyDrawing(Document& document, const ShapePiece& a) {
   const auto at = std::ranges::find_if(document.parts, [&](const Part& part) { return part.id == a.part; });
   if (at == document.parts.end()) return Error::NoSuchPart;

@@ -13,6 +13,7 @@ Status applyDrawing(Document& document, const CloseLine& action);
 Status applyDrawing(Document& document, const HideLine& action);
 Status applyDrawing(Document& document, const DeleteLine& action);
 Status applyDrawing(Document& document, const OrderPieces& action);
+Status applyDrawing(Document& document, const SeeDrawing& action);
 Status applyDrawing(Document& document, const PinDepth& action);
 Status applyDrawing(Document& document, const ShapePiece& action);
 

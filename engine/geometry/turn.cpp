@@ -8,6 +8,7 @@ namespace spineloft::geometry {
 namespace {
 
 constexpr double kUnitSlack = 1e-6;        // how far from 1 the length may be
+constexpr double kStraightOn = 1e-9;       // sine of a turn that is none
 constexpr double kStraightUp = 1 - 1e-12;  // sine of a tip beyond which turn and roll are one
 
 /// The product p q of quaternions.
@@ -39,6 +40,17 @@ Turn turnAbout(Vec3<Space> axis, double angle) {
 }
 template Turn turnAbout(Vec3<WorldSpace>, double);
 template Turn turnAbout(Vec3<ModelSpace>, double);
+
+template <class Space>
+Turn turnTo(Vec3<Space> from, Vec3<Space> to) {
+  const Vec3<Space> a = spineloft::normalized(from), b = spineloft::normalized(to), axis = cross(a, b);
+  const double cosine = dot(a, b);
+  if (norm(axis) > kStraightOn) return normalized({1 + cosine, axis.x, axis.y, axis.z});
+  if (cosine > 0) return {};
+  return turnAbout(cross(a, std::abs(a.x) < std::abs(a.z) ? Vec3<Space>{1, 0, 0} : Vec3<Space>{0, 0, 1}),
+                   std::numbers::pi);
+}
+template Turn turnTo(Vec3<WorldSpace>, Vec3<WorldSpace>);
 
 Turn after(const Turn& first, const Turn& then) { return normalized(product(then, first)); }
 

@@ -25,6 +25,11 @@ Turn normalized(const Turn& turn);
 template <class Space>
 Turn turnAbout(Vec3<Space> axis, double angle);
 
+/// The least turn after which `from` points where `to` does (any lengths but 0); of opposite ones about some axis
+/// across.
+template <class Space>
+Turn turnTo(Vec3<Space> from, Vec3<Space> to);
+
 /// First `first`, then `then`.
 Turn after(const Turn& first, const Turn& then);
 

@@ -9,23 +9,22 @@
 #include <optional>
 #include <utility>
 
+#include "engine/io/json_fields.h"
 #include "engine/mesh/laws.h"
 
 namespace spineloft::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered = nlohmann::ordered_json;  // keys stay in the order of this file
 using descriptive::Drawing;
 
-constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKinds = {
-    "round", "flat", "solid"};
 constexpr std::array<const char*, static_cast<std::size_t>(descriptive::NodeKind::kCount)> kNodes = {
     "crossing", "touch", "branch", "dip", "corner", "end"};
 constexpr std::array<const char*, 4> kFrom = {"drawn", "deduced", "guessed", "user"};
 
-Json parse(std::string_view text) {
+Ordered parse(std::string_view text) {
   constexpr bool kNoExceptions = false;
-  return Json::parse(text.begin(), text.end(), nullptr, kNoExceptions);
+  return Ordered::parse(text.begin(), text.end(), nullptr, kNoExceptions);
 }
 
 /// Reads members of one object after the other; the first fault stays.
@@ -34,7 +33,7 @@ class Reader {
   const std::optional<Failure>& fault() const { return fault_; }
 
   /// Whether it is an object with no other keys than these.
-  bool isObject(const Json& json, const std::string& path, std::initializer_list<const char*> keys) {
+  bool isObject(const Ordered& json, const std::string& path, std::initializer_list<const char*> keys) {
     if (!json.is_object()) return say(path + " is no object");
     for (const auto& [key, value] : json.items()) {
       if (std::ranges::none_of(keys, [&](const char* known) { return key == known; })) {
@@ -43,7 +42,7 @@ class Reader {
     }
     return true;
   }
-  void number(const Json& json, const std::string& path, const char* key, double& value) {
+  void number(const Ordered& json, const std::string& path, const char* key, double& value) {
     const auto at = json.find(key);
     if (at == json.end()) return;
     if (!at->is_number() || !std::isfinite(at->get<double>())) {
@@ -52,7 +51,7 @@ class Reader {
       value = at->get<double>();
     }
   }
-  void index(const Json& json, const std::string& path, const char* key, std::uint32_t& value) {
+  void index(const Ordered& json, const std::string& path, const char* key, std::uint32_t& value) {
     const auto at = json.find(key);
     if (at == json.end() || !at->is_number_unsigned() || at->get<std::uint64_t>() > 0xffffffffu) {
       say(path + "." + key + " is no number of a line or piece, counted from 0");
@@ -62,21 +61,21 @@ class Reader {
   }
   /// Calls `each(element, path)` for a list; a missing one is empty.
   template <class Each>
-  void list(const Json& json, const std::string& path, const char* key, const Each& each) {
+  void list(const Ordered& json, const std::string& path, const char* key, const Each& each) {
     const auto at = json.find(key);
     if (at == json.end()) return;
     elements(*at, path + "." + key, each);
   }
   template <class Each>
-  void elements(const Json& json, const std::string& path, const Each& each) {
+  void elements(const Ordered& json, const std::string& path, const Each& each) {
     if (!json.is_array()) {
       say(path + " is no list");
       return;
     }
     for (std::size_t i = 0; i < json.size() && !fault_; ++i) each(json[i], path + "[" + std::to_string(i) + "]");
   }
-  void numbers(const Json& json, const std::string& path, std::vector<double>& values) {
-    elements(json, path, [&](const Json& one, const std::string& where) {
+  void numbers(const Ordered& json, const std::string& path, std::vector<double>& values) {
+    elements(json, path, [&](const Ordered& one, const std::string& where) {
       if (!one.is_number() || !std::isfinite(one.get<double>())) {
         say(where + " is no number");
       } else {
@@ -93,7 +92,7 @@ class Reader {
   std::optional<Failure> fault_;
 };
 
-void readLine(Reader& reader, const Json& json, const std::string& path, Drawing& drawing) {
+void readLine(Reader& reader, const Ordered& json, const std::string& path, Drawing& drawing) {
   if (!reader.isObject(json, path, {"points", "closed", "hidden"})) return;
   descriptive::Line line;
   std::vector<double> numbers;
@@ -111,7 +110,7 @@ void readLine(Reader& reader, const Json& json, const std::string& path, Drawing
   if (const auto hidden = json.find("hidden"); hidden != json.end() && hidden->is_boolean()) {
     if (hidden->get<bool>()) line.hidden.push_back({0, 1});
   } else if (hidden != json.end()) {
-    reader.elements(*hidden, path + ".hidden", [&](const Json& one, const std::string& where) {
+    reader.elements(*hidden, path + ".hidden", [&](const Ordered& one, const std::string& where) {
       std::vector<double> ends;
       reader.numbers(one, where, ends);
       if (ends.size() != 2) {
@@ -124,7 +123,7 @@ void readLine(Reader& reader, const Json& json, const std::string& path, Drawing
   drawing.lines.push_back(std::move(line));
 }
 
-void readPiece(Reader& reader, const Json& json, const std::string& path, Drawing& drawing) {
+void readPiece(Reader& reader, const Ordered& json, const std::string& path, Drawing& drawing) {
   if (!reader.isObject(json, path, {"name", "kind", "outlines", "stiffness", "front", "back", "thickness"})) return;
   descriptive::Piece piece;
   if (const auto name = json.find("name"); name != json.end()) {
@@ -132,16 +131,12 @@ void readPiece(Reader& reader, const Json& json, const std::string& path, Drawin
     if (name->is_string()) piece.name = name->get<std::string>();
   }
   if (const auto kind = json.find("kind"); kind != json.end()) {
-    const auto found = std::ranges::find(kKinds, kind->is_string() ? kind->get<std::string>() : std::string());
-    if (found == kKinds.end()) {
-      reader.say(path + ".kind is neither round, flat nor solid");
-    } else {
-      piece.kind = static_cast<descriptive::PieceKind>(found - kKinds.begin());
-    }
+    const bool isKnown = kind->is_string() && fromKey(kind->get<std::string>(), piece.kind);
+    if (!isKnown) reader.say(path + ".kind is neither round, flat nor solid");
   }
-  reader.list(json, path, "outlines", [&](const Json& outline, const std::string& where) {
+  reader.list(json, path, "outlines", [&](const Ordered& outline, const std::string& where) {
     piece.outlines.emplace_back();
-    reader.elements(outline, where, [&](const Json& one, const std::string& here) {
+    reader.elements(outline, where, [&](const Ordered& one, const std::string& here) {
       descriptive::Run run;
       if (!reader.isObject(one, here, {"line", "from", "to"})) return;
       reader.index(one, here, "line", run.line);
@@ -158,9 +153,9 @@ void readPiece(Reader& reader, const Json& json, const std::string& path, Drawin
   drawing.pieces.push_back(std::move(piece));
 }
 
-void readMarks(Reader& reader, const Json& json, Drawing& drawing) {
+void readMarks(Reader& reader, const Ordered& json, Drawing& drawing) {
   const std::string path = "drawing";
-  reader.list(json, path, "pins", [&](const Json& one, const std::string& where) {
+  reader.list(json, path, "pins", [&](const Ordered& one, const std::string& where) {
     descriptive::Pin pin;
     if (!reader.isObject(one, where, {"line", "at", "z"})) return;
     reader.index(one, where, "line", pin.at.line);
@@ -168,14 +163,14 @@ void readMarks(Reader& reader, const Json& json, Drawing& drawing) {
     reader.number(one, where, "z", pin.z);
     drawing.pins.push_back(pin);
   });
-  reader.list(json, path, "folds", [&](const Json& one, const std::string& where) {
+  reader.list(json, path, "folds", [&](const Ordered& one, const std::string& where) {
     descriptive::Place fold;
     if (!reader.isObject(one, where, {"line", "at"})) return;
     reader.index(one, where, "line", fold.line);
     reader.number(one, where, "at", fold.share);
     drawing.folds.push_back(fold);
   });
-  reader.list(json, path, "orders", [&](const Json& one, const std::string& where) {
+  reader.list(json, path, "orders", [&](const Ordered& one, const std::string& where) {
     descriptive::GivenOrder order;
     if (!reader.isObject(one, where, {"over", "under", "at"})) return;
     reader.index(one, where, "over", order.over);
@@ -191,14 +186,14 @@ void readMarks(Reader& reader, const Json& json, Drawing& drawing) {
   });
 }
 
-Result<Drawing> drawingFrom(const Json& json) {
+Result<Drawing> drawingFrom(const Ordered& json) {
   Reader reader;
   Drawing drawing;
   if (!reader.isObject(json, "recipe", {"drawing"}) || !json.contains("drawing")) {
     return reader.fault().value_or(Failure{Error::JsonInvalid, "there is no drawing"});
   }
-  const Json& root = json["drawing"];
-  if (reader.isObject(root, "drawing", {"size", "lines", "pieces", "pins", "folds", "orders"})) {
+  const Ordered& root = json["drawing"];
+  if (reader.isObject(root, "drawing", {"size", "lines", "pieces", "pins", "folds", "orders", "seenFrom"})) {
     std::vector<double> size;
     if (root.contains("size")) reader.numbers(root["size"], "drawing.size", size);
     constexpr double kMostPixels = 100000;
@@ -208,20 +203,24 @@ Result<Drawing> drawingFrom(const Json& json) {
       drawing.size = {static_cast<int>(size[0]), static_cast<int>(size[1])};
     }
     reader.list(root, "drawing", "lines",
-                [&](const Json& one, const std::string& where) { readLine(reader, one, where, drawing); });
-    if (root.value("pieces", Json()) != "auto") {
+                [&](const Ordered& one, const std::string& where) { readLine(reader, one, where, drawing); });
+    if (root.value("pieces", Ordered()) != "auto") {
       reader.list(root, "drawing", "pieces",
-                  [&](const Json& one, const std::string& where) { readPiece(reader, one, where, drawing); });
+                  [&](const Ordered& one, const std::string& where) { readPiece(reader, one, where, drawing); });
     }
     readMarks(reader, root, drawing);
+    if (const auto from = root.find("seenFrom"); from != root.end()) {
+      const bool isKnown = from->is_string() && fromKey(from->get<std::string>(), drawing.seenFrom);
+      if (!isKnown) reader.say("drawing.seenFrom is none of above, below and unknown");
+    }
   }
   if (reader.fault()) return *reader.fault();
   return drawing;
 }
 
-Json pointJson(PicturePoint p) { return Json::array({p.x, p.y}); }
+Ordered pointJson(PicturePoint p) { return Ordered::array({p.x, p.y}); }
 
-Json meshJson(const mesh::TriMesh& mesh) {
+Ordered meshJson(const mesh::TriMesh& mesh) {
   const mesh::MeshReport report = mesh::inspect(mesh);
   return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()},
           {"closed", report.closed},           {"lawful", report.valid()},
@@ -229,7 +228,7 @@ Json meshJson(const mesh::TriMesh& mesh) {
           {"volume", report.volume},           {"area", report.area}};
 }
 
-std::string listOf(const Json& names) {
+std::string listOf(const Ordered& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i].get<std::string>();
@@ -242,14 +241,14 @@ class Writer {
  public:
   explicit Writer(const descriptive::Model& model) : model_(model) {}
 
-  Json all() const {
-    Json nodes;
+  Ordered all() const {
+    Ordered nodes;
     for (std::size_t k = 0; k < kNodes.size(); ++k) {
       nodes[kNodes[k]] =
           std::ranges::count(model_.nodes, static_cast<descriptive::NodeKind>(k), &descriptive::Node::kind);
     }
-    Json json = {{"size", model_.size}, {"nodes", std::move(nodes)}, {"pieces", pieces()}};
-    json["lost"] = Json::array();
+    Ordered json = {{"size", model_.size}, {"nodes", std::move(nodes)}, {"pieces", pieces()}};
+    json["lost"] = Ordered::array();
     for (const descriptive::LostPiece& one : model_.lost) {
       json["lost"].push_back({{"name", model_.pieces[one.piece].name}, {"words", failureSentence(one.failure)}});
     }
@@ -266,20 +265,20 @@ class Writer {
  private:
   const std::string& nameOf(std::uint32_t solid) const { return model_.pieces[model_.solids[solid].piece].name; }
 
-  Json pieces() const {
-    Json out = Json::array();
+  Ordered pieces() const {
+    Ordered out = Ordered::array();
     for (const descriptive::ModelPiece& one : model_.solids) {
       const descriptive::Piece& piece = model_.pieces[one.piece];
       out.push_back({{"name", piece.name},
-                     {"kind", std::string(kKinds[static_cast<std::size_t>(piece.kind)])},
+                     {"kind", std::string(keyOf(piece.kind))},
                      {"outlines", piece.outlines.size()},
                      {"planarity", one.planarity},
                      {"mesh", meshJson(one.mesh)}});
     }
     return out;
   }
-  Json orders() const {
-    Json out = Json::array();
+  Ordered orders() const {
+    Ordered out = Ordered::array();
     for (std::size_t k = 0; k < model_.orders.orders.size(); ++k) {
       const descriptive::Order& order = model_.orders.orders[k];
       out.push_back({{"over", nameOf(order.over)},
@@ -290,8 +289,8 @@ class Writer {
     }
     return out;
   }
-  Json indices() const {
-    Json out = Json::array();
+  Ordered indices() const {
+    Ordered out = Ordered::array();
     for (const descriptive::OrderedStretch& one : model_.orders.stretches) {
       out.push_back({{"piece", nameOf(one.piece)},
                      {"outline", one.outline},
@@ -302,16 +301,16 @@ class Writer {
     }
     return out;
   }
-  Json contradictions() const {
-    Json out = Json::array();
+  Ordered contradictions() const {
+    Ordered out = Ordered::array();
     for (const descriptive::Contradiction& one : model_.orders.contradictions) {
-      Json names = Json::array();
+      Ordered names = Ordered::array();
       for (const std::uint32_t piece : one.pieces) names.push_back(nameOf(piece));
       const std::string words = "The lines of " + listOf(names) + " contradict each other.";
       out.push_back({{"pieces", std::move(names)}, {"at", pointJson(one.at)}, {"words", words}});
     }
     for (const auto& [over, under] : model_.conflicts) {
-      const Json names = Json::array({nameOf(over), nameOf(under)});
+      const Ordered names = Ordered::array({nameOf(over), nameOf(under)});
       out.push_back({{"pieces", names},
                      {"at", nullptr},
                      {"words", nameOf(over) + " cannot be in front of " + nameOf(under) + " there."}});
@@ -326,7 +325,7 @@ class Writer {
 
 bool isDrawing(std::string_view json) {
   try {
-    const Json root = parse(json);
+    const Ordered root = parse(json);
     return root.is_object() && root.contains("drawing");
   } catch (const std::exception&) {  // no memory
     return false;
@@ -335,7 +334,7 @@ bool isDrawing(std::string_view json) {
 
 Result<Drawing> readDrawing(std::string_view json) {
   try {
-    const Json root = parse(json);
+    const Ordered root = parse(json);
     if (root.is_discarded()) return {Error::JsonInvalid, "it is no JSON"};
     return drawingFrom(root);
   } catch (const std::exception&) {  // the JSON library and the standard one only throw for memory
@@ -344,10 +343,10 @@ Result<Drawing> readDrawing(std::string_view json) {
 }
 
 std::string writeDrawingReport(const descriptive::Model& model, const NamedNumbers& milliseconds) {
-  Json times = Json::object();
+  Ordered times = Ordered::object();
   for (const auto& [name, number] : milliseconds) times[name] = number;
-  const Json json = {{"drawing", Writer(model).all()}, {"milliseconds", std::move(times)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Ordered json = {{"drawing", Writer(model).all()}, {"milliseconds", std::move(times)}};
+  return json.dump(2, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
 }  // namespace spineloft::io

@@ -16,8 +16,9 @@ bool isDrawing(std::string_view json);
 /// {"drawing": {"size": [w, h], "lines": [{"points": [x, y, …], "closed", "hidden": true | [[from, to], …]}, …],
 /// "pieces": "auto" | [{"name", "kind": "round" | "flat", "outlines": [[{"line", "from", "to"}, …], …], "stiffness",
 /// "front", "back", "thickness"}, …], "pins": [{"line", "at", "z"}, …], "folds": [{"line", "at"}, …],
-/// "orders": [{"over", "under", "at": [x, y]}, …]}}: see descriptive/drawing.h. Only size and lines must be there.
-/// Errors: JsonInvalid with the key that is wrong or that nobody knows, OutOfMemory.
+/// "orders": [{"over", "under", "at": [x, y]}, …], "seenFrom": "above" | "below" | "unknown"}}: see
+/// descriptive/drawing.h. Only size and lines must be there. Errors: JsonInvalid with the key that is wrong or that
+/// nobody knows, OutOfMemory.
 Result<descriptive::Drawing> readDrawing(std::string_view json);
 
 /// {"drawing": {"size", "nodes": {"crossing", "touch", "branch", "dip", "corner", "end"}, "pieces": [{"name", "kind",

@@ -131,8 +131,15 @@ std::string_view keyOf(descriptive::PieceKind value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }
+std::string_view keyOf(descriptive::SeenFrom value) {
+  static constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::SeenFrom::kCount)> kKeys = {
+      "above", "below", "unknown"};
+  const auto at = static_cast<std::size_t>(value);
+  return at < kKeys.size() ? kKeys[at] : std::string_view();
+}
 bool fromKey(std::string_view key, stack::CurveUse& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, descriptive::PieceKind& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, descriptive::SeenFrom& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, inflate::Across& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::DepthMode& value) { return fromKeys(key, value); }

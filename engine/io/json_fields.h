@@ -48,6 +48,7 @@ std::string_view keyOf(shape::Primitive value);
 std::string_view keyOf(shape::DepthMode value);
 std::string_view keyOf(geometry::ViewFrom value);
 std::string_view keyOf(descriptive::PieceKind value);
+std::string_view keyOf(descriptive::SeenFrom value);
 bool fromKey(std::string_view key, sections::SectionPreset& value);
 bool fromKey(std::string_view key, sections::CapStyle& value);
 bool fromKey(std::string_view key, sections::BlendKind& value);
@@ -63,6 +64,7 @@ bool fromKey(std::string_view key, shape::Primitive& value);
 bool fromKey(std::string_view key, shape::DepthMode& value);
 bool fromKey(std::string_view key, geometry::ViewFrom& value);
 bool fromKey(std::string_view key, descriptive::PieceKind& value);
+bool fromKey(std::string_view key, descriptive::SeenFrom& value);
 template <class T>
 concept Keyed = requires(T value) { keyOf(value); };
 

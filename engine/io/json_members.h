@@ -356,13 +356,14 @@ void members(V& v, T& value) {
 }
 template <class V, Is<document::Drawing> T>
 void members(V& v, T& value) {
-  auto& [id, picture, lines, pins, folds, orders, lastLineId, extra] = value;
+  auto& [id, picture, lines, pins, folds, orders, seenFrom, lastLineId, extra] = value;
   v("id", id);
   v("picture", picture);
   v("lines", lines);
   v("pins", pins);
   v("folds", folds);
   v("orders", orders);
+  v("seenFrom", seenFrom);
   v("lastLineId", lastLineId);
   v.beyond(extra);
 }

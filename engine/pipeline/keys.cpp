@@ -320,10 +320,10 @@ ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEn
 }
 
 DrawingKey drawingKey(const descriptive::Drawing& drawing) {
-  const auto& [size, lines, pieces, pins, folds, orders] = drawing;
+  const auto& [size, lines, pieces, pins, folds, orders, seenFrom] = drawing;
   Hasher hasher;
   hasher.text("drawing").number(size.width).number(size.height);
-  mixAll(hasher, lines.size(), pieces.size(), pins.size(), folds.size(), orders.size());
+  mixAll(hasher, lines.size(), pieces.size(), pins.size(), folds.size(), orders.size(), seenFrom);
   for (const descriptive::Line& line : lines) mix(hasher, line);
   for (const descriptive::Piece& piece : pieces) mix(hasher, piece);
   for (const auto& [at, z] : pins) {

@@ -260,4 +260,51 @@ for (const [device, size, options] of kHands) {
       await reload(page);
       assert.equal((await state(page)).drawings[0].pieces[0].kind, 'solid');
     }));
+
+  test(`legs without hidden lines go behind the body; a dot is dragged nearer; all of it undone: ${device}, ${size}`, () =>
+    onPage(kit, options, async (page) => {
+      await paper(page, device);
+      const start = await model(page);
+      await draw(page, device, ellipse(kBody.x, kBody.y, kBody.a, kBody.b, 32));
+      for (const x of [215, 340]) await draw(page, device, leg(x));
+      const { drawings, parts, undo, depthDots } = await state(page);
+      assert.equal(parts.length, 3);
+      assert.deepEqual(
+        drawings[0].orders.map(({ over, under, from }) => [over, under, from]),
+        [
+          [1, 2, 'drawn'],
+          [1, 3, 'drawn'],
+        ],
+      );
+      assert.ok(depthDots.length > 4, 'the leg in hand has dots');
+      const lowest = depthDots.reduce((a, b) => (b.at[1] > a.at[1] ? b : a));
+      const from = lowest.at;
+      await strokeAlong(
+        page,
+        device,
+        await onCanvas(page, ...[0, 10, 20, 30, 40].map((by) => [from[0] - by, from[1] + by / 4])),
+      );
+      await idle(page);
+      const after = await state(page);
+      assert.equal(after.undo, undo + 1);
+      assert.equal(after.drawings[0].pins.length, 1);
+      assert.ok(Math.abs(after.drawings[0].pins[0].z - lowest.z) > 5);
+      assert.equal(after.depthDots[0].pinned, true);
+      for (let i = 0; i < 4; i += 1) await run(page, 'undo');
+      await idle(page);
+      assert.ok((await model(page)).equals(start), 'byte-equal');
+    }));
 }
+
+test('a box drawn from above leans until it is stood upright from its panel', () =>
+  onPage(kit, kDesk, async (page) => {
+    await paper(page, 'mouse');
+    for (const [k, ends] of kBoxEdges.entries()) await draw(page, 'mouse', edge(ends, k));
+    await idle(page);
+    await press(page, 'Stand upright', { kind: 'button' });
+    await idle(page);
+    const { parts } = await state(page);
+    const [w] = parts[0].placement.turn;
+    assert.ok(w < 0.99 && w > 0.8, 'turned by 16 to 74 degrees');
+    assert.equal(await findControl(page, 'Stand upright'), null);
+  }));

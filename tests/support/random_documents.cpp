@@ -408,6 +408,12 @@ struct Make<PinDepth> {
   }
 };
 template <>
+struct Make<SeeDrawing> {
+  static SeeDrawing from(Rng& rng, const Document& d) {
+    return {anyDrawing(rng, d), static_cast<descriptive::SeenFrom>(rng.below(3))};
+  }
+};
+template <>
 struct Make<ShapePiece> {
   static ShapePiece from(Rng& rng, const Document& d) {
     return {anyPiece(rng, d), static_cast<descriptive::PieceKind>(rng.below(3))};

@@ -34,7 +34,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "redo", "redraw", "redraw-region", "redraw-spine", "release", "remove-ignore", "remove-picture", "remove-slice",
     "rename-group", "rename-model", "rename-part", "rename-picture", "rename-slice", "rename-step", "reset-bones",
     "reset-place", "reset-pose", "reset-rib", "reset-ribs", "restore-bone", "ribs", "save-3mf", "save-glb", "save-obj",
-    "save-picture", "save-project", "save-project-as", "save-stl", "save-turntable", "scoop-out", "seen-pen",
+    "save-picture", "save-project", "save-project-as", "save-stl", "save-turntable", "scoop-out", "seen-from", "seen-pen",
     "select-all", "select-part", "select-picture", "select-slice", "select-step", "set-along", "set-axis", "set-blend",
     "set-caps", "set-colour", "set-depth", "set-height", "set-paint", "set-parameter", "set-place",
     "set-second-colour", "set-section", "set-slices", "set-step", "set-view", "shape", "shape-kind", "shape-outline",
@@ -43,7 +43,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "slice-cancel", "slice-clear", "slice-corner", "slice-done", "slice-draw", "slice-edge", "slice-flip",
     "slice-flip-front", "slice-front-back", "slice-here", "slice-left-right", "slice-move-point", "slice-on",
     "slice-redo", "slice-remove-point", "slice-start-from", "slice-symmetry", "slice-tool", "slice-traces",
-    "slice-turn", "slice-undo", "slice-whole", "snap-to-surface", "solve-again", "spin", "stick-together",
+    "slice-turn", "slice-undo", "slice-whole", "snap-to-surface", "solve-again", "spin", "stand-upright", "stick-together",
     "swap-bridge", "symmetry", "take-place", "thicken", "thicker", "thinner", "toggle-bone", "toggle-facets",
     "toggle-ink", "toggle-texture", "turn-down", "turn-left", "turn-right", "turn-up", "undo", "ungroup", "zoom-in",
     "zoom-out"});

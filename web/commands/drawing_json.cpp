@@ -5,6 +5,7 @@
 
 #include "engine/document/pieces.h"
 #include "engine/io/json_fields.h"
+#include "web/edit/depth_dots.h"
 #include "web/edit/line_drawing.h"
 
 namespace spineloft::app {
@@ -91,6 +92,7 @@ void writeDrawings(JsonWriter& json, const CommandEnv& env) {
   for (std::size_t i = 0; i < std::min(document.drawings.size(), derived.drawings.size()); ++i) {
     const document::Drawing& drawing = document.drawings[i];
     json.beginObject().key("id").number(drawing.id.value).key("picture").number(drawing.picture.value);
+    json.key("seenFrom").text(io::keyOf(drawing.seenFrom));
     writeLines(json, drawing, freeLines(document, drawing));
     writePieces(json, document, drawing);
     json.key("pins").beginArray();
@@ -113,6 +115,13 @@ void writeDrawings(JsonWriter& json, const CommandEnv& env) {
   }
   json.endArray().key("lineEnds").beginArray();
   for (const ClientPoint p : marks.looseEnds) json.beginArray().number(p.x).number(p.y).endArray();
+  json.endArray().key("depthDots").beginArray();
+  for (const DepthDot& dot : depthDots(document, derived, env.ui)) {
+    json.beginObject().key("line").number(dot.line.value).key("along").number(dot.at).key("z").number(dot.where.z);
+    json.key("pinned").flag(dot.pinned);
+    writePlace(json, "at", dot.seen.x, dot.seen.y);
+    json.endObject();
+  }
   json.endArray();
 }
 

@@ -5,7 +5,7 @@
 
 namespace spineloft::app {
 
-/// Members `drawings`, `bridges` and `lineEnds` of the state; see State of web/shell/api.ts.
+/// Members `drawings`, `bridges`, `lineEnds` and `depthDots` of the state; see State of web/shell/api.ts.
 void writeDrawings(JsonWriter& json, const CommandEnv& env);
 
 }  // namespace spineloft::app

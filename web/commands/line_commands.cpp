@@ -12,6 +12,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/edit/line_drawing.h"
+#include "web/edit/placing.h"
 #include "web/model/messages.h"
 #include "web/words/words.h"
 
@@ -41,7 +42,8 @@ Outcome useLines(Env env, const Json&) {
   env.ui.tool = ToolKind::Lines;
   env.ui.redraw = env.ui.pointsOf = {};
   env.ui.focus = Focus::Picture;
-  sendStatus(env.host, "Draw a closed line: it becomes a piece. What is behind something, draw with Hidden.");
+  sendStatus(env.host,
+             "Draw a closed line: it becomes a piece. A line that begins and ends on its edge goes on behind it.");
   return {};
 }
 Outcome takePen(Env env, bool hidden) {
@@ -99,7 +101,7 @@ Outcome orderPieces(Env env, const Json& args) {
   if (!at) return missing("at: a place [x, y] where they overlap, picture pixels");
   return outcomeOf(env.studio.act(document::OrderPieces{idFrom(args, "over"), idFrom(args, "under"), *at}));
 }
-Outcome pinDepth(Env env, const Json& args) {
+Outcome pinDepthRow(Env env, const Json& args) {
   const auto at = args.number("at");
   if (!at) return missing("at: a share of the line's length, from 0 to 1");
   const bool given = args.number("z").has_value();
@@ -107,7 +109,7 @@ Outcome pinDepth(Env env, const Json& args) {
   const document::Drawing* drawing = document::findDrawing(env.studio.document(), pin.drawing);
   if (drawing == nullptr || document::findLine(*drawing, pin.line) == nullptr) return refuse({Error::NoSuchLine, {}});
   if (!given && args.find("z") != nullptr) return missing("z: a number of picture pixels");
-  return outcomeOf(env.studio.act(pin));
+  return pinDepth(env, pin);
 }
 
 Outcome shapePieceRow(Env env, const Json& args) {
@@ -125,6 +127,50 @@ void pieceChoices(Env env, JsonWriter& json) {
         std::pair{descriptive::PieceKind::Solid, "With edges"}}) {
     writeChoice(json, io::keyOf(kind), label, own != nullptr && own->kind == kind);
   }
+}
+
+Outcome seeFromRow(Env env, const Json& args) {
+  const std::string* key = args.text("from");
+  descriptive::SeenFrom from{};
+  if (key == nullptr || !io::fromKey(*key, from)) return missing("from: above, below or unknown");
+  const std::vector<PartId> parts = partsFrom(env, args);
+  return parts.empty() ? noPart() : seeFrom(env, parts, from);
+}
+void seenChoices(Env env, JsonWriter& json) {
+  const document::Part* part = partOf(env, {});
+  const document::ElementRecipe* own = part ? document::elementOf(*part) : nullptr;
+  const document::Drawing* drawing = own ? document::findDrawing(env.studio.document(), own->drawing) : nullptr;
+  for (const auto& [from, label] :
+       {std::pair{descriptive::SeenFrom::Above, "From above"}, std::pair{descriptive::SeenFrom::Below, "From below"},
+        std::pair{descriptive::SeenFrom::Unknown, "No right angles"}}) {
+    writeChoice(json, io::keyOf(from), label, drawing != nullptr && drawing->seenFrom == from);
+  }
+}
+
+/// All pieces of the drawing go along, with what is grouped with them.
+Outcome standUpright(Env env, const Json& args) {
+  const document::Document& document = env.studio.document();
+  const pipeline::Derived& derived = env.studio.derived();
+  const document::Part* lead = partOf(env, args);
+  if (lead == nullptr) return noPart();
+  const document::ElementRecipe* own = document::elementOf(*lead);
+  if (own == nullptr) return refuse({Error::NotAPiece, {}});
+  const std::optional<geometry::Turn> turn = turnUpright(document, derived, lead->id);
+  if (!turn) return Refusal{"NotNow", "It stands upright already, or no right angles say where up is."};
+  std::vector<PartId> parts;
+  for (const document::Part* piece : document::piecesOf(document, own->drawing)) {
+    for (const PartId id : withGroup(document, piece->id)) {
+      if (std::ranges::count(parts, id) == 0) parts.push_back(id);
+    }
+  }
+  document::Motion motion;
+  motion.centre = centreOf(document, derived, env.ui, parts).value_or(WorldPoint{});
+  motion.turn = *turn;
+  const auto actions = placeActions(document, derived, movedParts(document, derived, parts, motion));
+  if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  env.ui.framePending = true;
+  sendStatus(env.host, "It stands upright.");
+  return {};
 }
 
 // ---- bridges by keys --------------------------------------------------------------------------------------------
@@ -166,10 +212,16 @@ constexpr std::array kTable = {
             .argument = kOver, .hint = "Which of two pieces is in front at a place", .enabled = hasDrawing,
             .run = orderPieces},
     Command{.id = "pin-depth", .label = "Depth of a place by numbers", .icon = "anchor", .group = "part",
-            .argument = kLine, .hint = "How near a place of a line is", .enabled = hasDrawing, .run = pinDepth},
+            .argument = kLine, .hint = "How near a place of a line is", .enabled = hasDrawing, .run = pinDepthRow},
     Command{.id = "shape-piece", .label = "Round or flat", .icon = "circle", .group = "part",
             .argument = {"kind", pieceChoices}, .hint = "What a piece of a line drawing is", .enabled = kHasPiece,
             .run = shapePieceRow},
+    Command{.id = "seen-from", .label = "Right angles", .icon = "box", .group = "part",
+            .argument = {"from", seenChoices}, .hint = "From where right angles of a line drawing are seen",
+            .enabled = kHasPiece, .run = seeFromRow},
+    Command{.id = "stand-upright", .label = "Stand upright", .icon = "armchair", .group = "part",
+            .hint = "What was drawn from above stands on its feet: its right angles say where up is",
+            .enabled = kHasPiece, .run = standUpright},
     Command{.id = "next-bridge", .label = "Next bridge", .icon = "chevron-right", .shortcut = ".", .group = "part",
             .hint = "Choose the next place where two pieces overlap", .enabled = hasBridges, .run = next,
             .mode = &kLinesMode},
@@ -298,6 +350,22 @@ Outcome chooseBridge(Env env, int number) {
   sendStatus(env.host, bridgeSentence(env.studio.document(), all[static_cast<std::size_t>(number)]));
   return {};
 }
+
+Outcome seeFrom(Env env, const Parts& parts, descriptive::SeenFrom from) {
+  std::vector<document::Action> actions;
+  std::vector<DrawingId> seen;
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    const document::ElementRecipe* own = part ? document::elementOf(*part) : nullptr;
+    if (own == nullptr || std::ranges::count(seen, own->drawing) > 0) continue;
+    seen.push_back(own->drawing);
+    actions.push_back(document::SeeDrawing{own->drawing, from});
+  }
+  if (actions.empty()) return refuse({Error::NotAPiece, {}});
+  return outcomeOf(env.studio.act(actions));
+}
+
+Outcome pinDepth(Env env, const document::PinDepth& pin) { return outcomeOf(env.studio.act(pin)); }
 
 Outcome shapePieces(Env env, const Parts& parts, descriptive::PieceKind kind) {
   const bool any = std::ranges::any_of(parts, [&](PartId id) {

@@ -10,6 +10,7 @@
 #include "engine/geometry/line_distance.h"
 #include "engine/geometry/polyline.h"
 #include "engine/geometry/stroke_line.h"
+#include "engine/pipeline/world.h"
 #include "web/words/words.h"
 
 namespace spineloft::app {
@@ -19,6 +20,7 @@ constexpr double kApart = 44;      // CSS pixels between bridges: a fingertip
 constexpr int kRounds = 24;        // in which they move apart
 constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
 constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
+constexpr double kUpright = 0.01;  // radians: what leans less stands
 constexpr double kMostCut = 0.34;  // of a line: an end is neither cut nor led onto a line by more
 
 /// Calls `each(drawing, derived drawing)` for those on a picture.
@@ -30,6 +32,14 @@ void forDrawings(const document::Document& document, const pipeline::Derived& de
     const document::Drawing& drawing = document.drawings[i];
     if (drawing.picture == picture && derived.drawings[i].shape) each(drawing, derived.drawings[i]);
   }
+}
+
+/// What is derived of the drawing of a piece; null without it.
+const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, PartId piece) {
+  const auto own = std::ranges::find_if(derived.drawings, [&](const pipeline::DerivedDrawing& one) {
+    return one.shape && std::ranges::count(one.pieces, piece) > 0;
+  });
+  return own == derived.drawings.end() ? nullptr : &*own;
 }
 
 bool isShown(const document::Document& document, PartId id) {
@@ -150,6 +160,29 @@ std::string bridgeSentence(const document::Document& document, const Bridge& bri
   if (over == nullptr || under == nullptr) return {};
   return std::string(words::tr("{front} is in front of {back} here.",
                                {{"front", words::nameOf(over->name)}, {"back", words::nameOf(under->name)}}));
+}
+
+std::optional<geometry::Turn> turnUpright(const document::Document& document, const pipeline::Derived& derived,
+                                          PartId piece) {
+  const document::Part* part = document::findPart(document, piece);
+  const document::PictureEntry* entry = part ? document::findPicture(document, document::pictureOf(*part)) : nullptr;
+  const pipeline::DerivedDrawing* own = drawingOf(derived, piece);
+  if (entry == nullptr || own == nullptr || !own->shape->model.up) return std::nullopt;
+  const pipeline::Copies copies = pipeline::copiesInWorld(part->placement, {}, entry->size);
+  const geometry::Turn turn = geometry::turnTo(copies.begin()->along(*own->shape->model.up), WorldPoint{0, 1, 0});
+  return turn.w < std::cos(kUpright / 2) ? std::optional(turn) : std::nullopt;
+}
+
+std::optional<descriptive::SeenFrom> seenFrom(const document::Document& document, const pipeline::Derived& derived,
+                                              PartId piece) {
+  const document::Part* part = document::findPart(document, piece);
+  const document::ElementRecipe* own = part ? document::elementOf(*part) : nullptr;
+  const document::Drawing* drawing = own ? document::findDrawing(document, own->drawing) : nullptr;
+  if (drawing == nullptr) return std::nullopt;
+  const pipeline::DerivedDrawing* made = drawingOf(derived, piece);
+  const bool hasAngles = own->kind != descriptive::PieceKind::Solid && made != nullptr && made->shape->model.up;
+  if (!hasAngles && drawing->seenFrom != descriptive::SeenFrom::Unknown) return std::nullopt;
+  return drawing->seenFrom;
 }
 
 std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipeline::DerivedDrawing& drawing) {

@@ -2,6 +2,7 @@
 // under the pen meets those that are there.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,15 @@ struct Bridge {
 std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline::Derived& derived, PictureId picture);
 /// "Leg is in front of Body", in the visitor's language.
 std::string bridgeSentence(const document::Document& document, const Bridge& bridge);
+
+/// The turn after which a piece and all of its drawing stand upright in the world. None: for another part, where right
+/// angles say nothing (descriptive::Model::up), and where it stands upright.
+std::optional<geometry::Turn> turnUpright(const document::Document& document, const pipeline::Derived& derived,
+                                          PartId piece);
+
+/// From where right angles of a piece's drawing are seen. None: for another part, and where there are none.
+std::optional<descriptive::SeenFrom> seenFrom(const document::Document& document, const pipeline::Derived& derived,
+                                              PartId piece);
 
 /// Where a line of no piece ends at nothing.
 struct LooseEnd {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/hash.h"
 #include "engine/mesh/self_crossing.h"
 
 namespace spineloft::app {
@@ -84,6 +85,20 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   if (shape.quality == pipeline::TraceQuality::Live) preview.exactMs = host.nowMs() + kRestMs;
   preview.shape.renew();
   preview.revision = ++ui.previewShapes;
+}
+
+void growSolid(const UiState& ui, Studio& studio) {
+  if (ui.inHand.pin) {
+    studio.previewAction(*ui.inHand.pin);
+  } else if (!ui.placing.empty()) {
+    studio.previewPlaced({ui.placing});
+  } else if (!ui.preview || !ui.preview->part || !ui.preview->shape) {
+    studio.endPreview();
+  } else {
+    const Preview& preview = *ui.preview;
+    const ShapeKey key{Hasher().text("preview").number(preview.revision).value()};
+    studio.previewSolid({preview.part, key, &preview.shape->mesh});
+  }
 }
 
 void guardPreview(UiState& ui, const document::Document& document, const pipeline::Derived& derived) {

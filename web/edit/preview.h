@@ -22,6 +22,9 @@ document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line,
 /// Makes the shape of the gesture's preview, as often as its cost allows: no frame waits for it. The exact shape is
 /// made once the pointer rests. After the first stroke, strokes of the same size allocate nothing.
 void growPreview(UiState& ui, Studio& studio, const platform::Host& host);
+/// A gesture on a part of a solid changes the solid, as far as the solver keeps up; one on the depth of a line drawing
+/// changes all its pieces.
+void growSolid(const UiState& ui, Studio& studio);
 /// From now on a preview of a standing part is not taken where the part would go through itself, unless it does
 /// already.
 void guardPreview(UiState& ui, const document::Document& document, const pipeline::Derived& derived);

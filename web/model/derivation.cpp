@@ -194,6 +194,18 @@ void Derivation::previewPlaced(const document::PlaceParts& places) {
   }
 }
 
+void Derivation::previewAction(const document::Action& action) {
+  const Result<document::Document> next = document::update(document(), action);
+  if (!next) return;
+  shown();
+  pipeline::Derived now =
+      pipeline::derive(next.value(), cache_, [this] { return host_.nowMs(); }, pipeline::Finish::Later);
+  keepEarlierTextures(derived_, now);
+  now.steps = derived_.steps;
+  preview_ = std::move(now);
+  if (!next.value().steps.empty()) solids_.preview(next.value(), *preview_, nullptr);
+}
+
 void Derivation::endPreview() {
   if (!preview_) return;
   preview_.reset();

@@ -40,6 +40,7 @@ class Derivation {
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
   void previewSolid(const publish::Substitute& instead);
   void previewPlaced(const document::PlaceParts& places);
+  void previewAction(const document::Action& action);
   void endPreview();
   void expectEdit(PartId part);
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);
@@ -78,7 +79,7 @@ class Derivation {
   WorkerPool& pool_;
   pipeline::Cache cache_;
   pipeline::Derived derived_;
-  std::optional<pipeline::Derived> preview_;  ///< `derived_` with the solids of a gesture
+  std::optional<pipeline::Derived> preview_;  ///< `derived_` with the solids, or with all, of a gesture
   bool stale_ = false;
   bool behind_ = false;     ///< solids came that `derived_` leaves out while a preview lies over it
   bool finishing_ = false;  ///< of parts in no step all is to be known

@@ -78,7 +78,9 @@ class Studio {
   void previewSolid(const publish::Substitute& instead) { derivation_.previewSolid(instead); }
   /// The same while parts are being placed.
   void previewPlaced(const document::PlaceParts& places) { derivation_.previewPlaced(places); }
-  /// Back to the solids of the document, after a preview.
+  /// Parts and solids as they would be after this action; nothing where it cannot be done.
+  void previewAction(const document::Action& action) { derivation_.previewAction(action); }
+  /// Back to what follows from the document, after a preview.
   void endPreview() { derivation_.endPreview(); }
   /// Asks once more for solids that failed or were cancelled.
   void solveAgain() { derivation_.solveAgain(); }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "engine/base/hash.h"
 #include "engine/base/limits.h"
 #include "engine/io/picture_probe.h"
 #include "engine/io/png_model.h"
@@ -181,7 +180,7 @@ void App::frame() {
   reportWaitingPrint();
   growBoard(ui_, studio_.document());
   growPreview(ui_, studio_, host_);
-  growSolid();
+  growSolid(ui_, studio_);
   frameNewPart();
   fly();
   fadeFlash();
@@ -578,21 +577,6 @@ void App::reportWaitingPrint() {
   if (!studio_.shapesMade()) return;
   ui_.printWaits = false;
   if (const Outcome done = reportPrint(env()); !done) refused(done.refusal());
-}
-
-/// A gesture on a part of a solid changes the solid, as far as the solver keeps up.
-void App::growSolid() {
-  if (!ui_.placing.empty()) {
-    studio_.previewPlaced({ui_.placing});
-    return;
-  }
-  if (!ui_.preview || !ui_.preview->part || !ui_.preview->shape) {
-    studio_.endPreview();
-    return;
-  }
-  const Preview& preview = *ui_.preview;
-  const ShapeKey key{Hasher().text("preview").number(preview.revision).value()};
-  studio_.previewSolid({preview.part, key, &preview.shape->mesh});
 }
 
 }  // namespace spineloft::app

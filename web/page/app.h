@@ -96,7 +96,6 @@ class App final : public platform::Page, Hand {
   void showOtherModel();
   void layout();
   void reportWaitingPrint();
-  void growSolid();
   void fly();
   void fadeFlash();
   void frameNewPart();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "web/commands/intents.h"
+#include "web/edit/depth_dots.h"
 #include "web/edit/editing.h"
 #include "web/edit/line_drawing.h"
 #include "web/edit/placing.h"
@@ -70,6 +71,27 @@ void depths(const PanelEnv& env) {
     if (!asked) continue;
     env.sink.run(app::setDepth, subject.part->id,
                  app::raiseDepth(depth, place, *asked / mm - now, env.ui().edit.spineReach));
+  }
+}
+
+/// The depth at the dots of a piece of a line drawing, in millimetres of the model.
+void dots(const PanelEnv& env) {
+  const document::Part* part = document::findPart(env.document(), env.ui().selection);
+  const document::PictureEntry* entry =
+      part ? document::findPicture(env.document(), document::pictureOf(*part)) : nullptr;
+  if (entry == nullptr) return;
+  const double side = std::max(entry->size.width, entry->size.height);
+  const double mm = app::mmPerUnit(env.document(), env.derived) / side;  // a pixel of the picture
+  const std::vector<app::DepthDot> all = app::depthDots(env.document(), env.derived, env.ui());
+  for (std::size_t i = 0; i < all.size() && mm > 0; ++i) {
+    const app::DepthDot& dot = all[i];
+    const PointControl what{"dot" + std::to_string(i),
+                            words::tr("Depth of {name}, {n} of {all}",
+                                      {{"name", words::nameOf(part->name)}, {"n", i + 1}, {"all", all.size()}}),
+                            ImVec2{static_cast<float>(dot.seen.x), static_cast<float>(dot.seen.y)}};
+    const double now = dot.where.z * mm;
+    const auto asked = pointSlider(env, what, {-side * mm, side * mm, now, numberText("{n} mm", now, 1)});
+    if (asked) env.sink.run(app::pinDepth, document::PinDepth{dot.drawing, dot.line, dot.at, *asked / mm});
   }
 }
 
@@ -198,6 +220,7 @@ void tellHandles(const PanelEnv& env) {
   bones(env);
   shapes(env);
   lines(env);
+  dots(env);
   ImGui::PopID();
 }
 

@@ -131,6 +131,13 @@ void drawLineDrawing(const PanelEnv& env) {
     if (drawing.picture != ui.picture) continue;
     for (const document::DrawnLine& line : drawing.lines) drawnLine(list, ui, line);
   }
+  for (const pipeline::DerivedDrawing& one : env.derived.drawings) {
+    const document::Drawing* drawing = document::findDrawing(env.document(), one.id);
+    if (drawing == nullptr || drawing->picture != ui.picture || !one.shape) continue;
+    for (const auto& way : one.shape->model.completed) {
+      dashed(list, ui, way, {faded(toolColour(app::ToolKind::Lines), 110), kLineWidth});
+    }
+  }
   if (!ui.inHand.stroke.empty()) stretch(list, ui, ui.inHand.stroke, ui.inHand.hidden);
   const app::LineMarks marks = app::lineMarks(env.document(), env.derived, ui);
   const auto where = [](app::ClientPoint at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };

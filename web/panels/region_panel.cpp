@@ -10,6 +10,7 @@
 #include "engine/document/params.h"
 #include "engine/inflate/ready_profiles.h"
 #include "web/commands/intents.h"
+#include "web/edit/line_drawing.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/edit/puff_bones.h"
@@ -168,6 +169,20 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
       if (buttons.button(text, text, piece->kind == kind) && piece->kind != kind) {
         env.sink.run(app::shapePieces, app::selectedParts(env.document(), env.ui()), kind);
       }
+    }
+    if (const auto seen = app::seenFrom(env.document(), env.derived, part.id)) {
+      using descriptive::SeenFrom;
+      WordButtons ways(env, width);
+      for (const auto& [from, text] :
+           {std::pair{SeenFrom::Above, "From above"}, std::pair{SeenFrom::Below, "From below"},
+            std::pair{SeenFrom::Unknown, "No right angles"}}) {
+        if (ways.button(text, text, *seen == from) && *seen != from) {
+          env.sink.run(app::seeFrom, app::selectedParts(env.document(), env.ui()), from);
+        }
+      }
+    }
+    if (app::turnUpright(env.document(), env.derived, part.id)) {
+      wordButton(env, {"stand-upright", width, buttonSide(env), kAccent});
     }
   }
   const auto table = document::paramTable(document::kindOf(part));

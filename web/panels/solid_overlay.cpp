@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "web/edit/depth_dots.h"
 #include "web/edit/editing.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
@@ -44,12 +45,34 @@ void drawHandle(ImDrawList& list, ImVec2 at, bool hot, bool chosen) {
   }
 }
 
+/// Dots of the depth of a piece of a line drawing: pins filled, free places hollow.
+void drawDots(const PanelEnv& env) {
+  const app::UiState& ui = env.ui();
+  const std::vector<app::DepthDot> dots = app::depthDots(env.document(), env.derived, ui);
+  if (dots.empty()) return;
+  const app::Rect& view = ui.layout.solid;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
+                    {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
+  for (std::size_t i = 0; i < dots.size(); ++i) {
+    const ImVec2 at{static_cast<float>(dots[i].seen.x), static_cast<float>(dots[i].seen.y)};
+    const bool hot = static_cast<int>(i) == (ui.inHand.depth >= 0 ? ui.inHand.depth : ui.hover.depth);
+    const float r = hot ? 7.f : 5.f;
+    const ImU32 colour = toolColour(app::ToolKind::Lines);
+    list.AddCircleFilled(at, r + 2, kHalo, 24);
+    list.AddCircleFilled(at, r, colour, 24);
+    if (!dots[i].pinned && !hot) list.AddCircleFilled(at, r - 2, kHalo, 24);
+  }
+  list.PopClipRect();
+}
+
 }  // namespace
 
 void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   drawSheet(env);
   drawSlicesInSolid(env);
+  drawDots(env);
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);
   if (ui.tool != app::ToolKind::Spine || !subject || !subject.part->visible) return;
   const document::PictureEntry* entry = document::findPicture(env.document(), document::pictureOf(*subject.part));

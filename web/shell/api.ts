@@ -92,6 +92,8 @@ export interface ShapeInfo {
 export interface LineDrawing {
   id: number;
   picture: number;
+  /** From where its right angles are seen; 'unknown': they say nothing. */
+  seenFrom: 'above' | 'below' | 'unknown';
   /** `waits`: no piece has a stretch of it. */
   lines: {
     id: number;
@@ -100,7 +102,11 @@ export interface LineDrawing {
     closed: boolean;
     waits: boolean;
   }[];
-  pieces: { part: number; kind: 'round' | 'flat'; outlines: { line: number; from: number; to: number }[][] }[];
+  pieces: {
+    part: number;
+    kind: 'round' | 'flat' | 'solid';
+    outlines: { line: number; from: number; to: number }[][];
+  }[];
   /** Depths that are given: larger is nearer to the viewer. */
   pins: { line: number; at: number; z: number }[];
   /** Parts that overlap at a place: who is in front there, and whether a line says so, it follows, it is a guess, or it was told. */
@@ -342,6 +348,8 @@ export interface State {
   bridges: { over: number; under: number; guessed: boolean; at: [number, number] }[];
   /** Where it closes a line, the same. */
   lineEnds: [number, number][];
+  /** What it can drag nearer or farther of the selected piece in the solid view, the same: places `along` a line, 0 to 1, at the depth `z` in picture pixels, `pinned` where it is given. */
+  depthDots: { line: number; along: number; z: number; pinned: boolean; at: [number, number] }[];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */

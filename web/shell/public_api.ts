@@ -74,6 +74,7 @@ const kBeforeReady: State = {
   drawings: [],
   bridges: [],
   lineEnds: [],
+  depthDots: [],
   undo: 0,
   redo: 0,
   history: { bytes: 0, budget: 0 },

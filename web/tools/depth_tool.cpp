@@ -5,13 +5,6 @@
 #include "web/edit/preview.h"
 
 namespace spineloft::tools {
-namespace {
-
-/// Seen from the front depth has no length on the screen; a drag then means at most this much.
-constexpr double kLeastUnit = 0.15;  // of the same length seen square on
-
-}  // namespace
-
 void DepthTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
   handle_ = pickInSolid(env, event).depth;
@@ -20,18 +13,7 @@ void DepthTool::begin(const ToolEnv& env, const ToolEvent& event) {
       subject ? document::findPicture(env.document, document::pictureOf(*subject.part)) : nullptr;
   if (handle_ < 0 || entry == nullptr) return;
   const pipeline::Copies copies = app::shownCopies(env.ui, *subject.part, entry->size);
-  const pipeline::ToWorld& toWorld = *copies.begin();
-  const ModelPoint at = app::depthHandles(subject)[static_cast<std::size_t>(handle_)];
-  const app::Camera& camera = env.ui.camera;
-  const app::Rect& view = env.ui.layout.solid;
-  const WorldPoint here = toWorld(at), nearer = toWorld(at + ModelPoint{0, 0, 1});
-  const auto a = app::pointOnCanvas(camera, view, here), b = app::pointOnCanvas(camera, view, nearer);
-  const auto c = app::pointOnCanvas(camera, view, here + camera.up() * toWorld.scale);
-  if (!a || !b || !c) return;
-  const double most = distance(*a, *c);
-  unit_ = *b - *a;
-  if (norm(unit_) < kLeastUnit * most) unit_ = app::ClientPoint{0, 1} * (kLeastUnit * most);
-  from_ = event.at;
+  unit_ = nearerOnCanvas(env, *copies.begin(), app::depthHandles(subject)[static_cast<std::size_t>(handle_)]);
   env.ui.inHand.depth = handle_;
 }
 
@@ -40,7 +22,7 @@ void DepthTool::move(const ToolEnv& env, const ToolEvent& event) {
   const app::Subject subject = app::subjectOf(env.document, env.derived, env.ui.selection);
   const double unit2 = dot(unit_, unit_);
   if (!watch_.moved() || !subject || handle_ < 0 || !(unit2 > 0)) return;
-  const double by = dot(event.at - from_, unit_) / unit2;
+  const double by = dot(event.at - watch_.start(), unit_) / unit2;
   depth_ = app::raiseDepth(document::loftIn(*subject.part).pose.depth, app::handlePlace(handle_), by,
                            env.ui.edit.spineReach);
   app::Preview& preview = app::previewPart(env.ui, *subject.part);

@@ -16,7 +16,6 @@ class DepthTool final : public Tool {
   DragWatch watch_;
   int handle_ = -1;
   app::ClientPoint unit_;  ///< one picture pixel of depth on the canvas, CSS pixels
-  app::ClientPoint from_;
   geometry::AlongCurve depth_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "engine/geometry/line_distance.h"
 #include "web/commands/intents.h"
+#include "web/edit/depth_dots.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/line_drawing.h"
 #include "web/edit/outline.h"
@@ -144,6 +145,19 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
   return hover;
 }
 
+app::ClientPoint nearerOnCanvas(const ToolEnv& env, const pipeline::ToWorld& toWorld, ModelPoint at) {
+  constexpr double kLeast = 0.15;  // of the same length seen square on
+  const app::Camera& camera = env.ui.camera;
+  const app::Rect& view = env.ui.layout.solid;
+  const WorldPoint here = toWorld(at), nearer = toWorld(at + ModelPoint{0, 0, 1});
+  const auto a = app::pointOnCanvas(camera, view, here), b = app::pointOnCanvas(camera, view, nearer);
+  const auto c = app::pointOnCanvas(camera, view, here + camera.up() * toWorld.scale);
+  if (!a || !b || !c) return {};
+  const double most = distance(*a, *c);
+  const app::ClientPoint unit = *b - *a;
+  return norm(unit) < kLeast * most ? app::ClientPoint{0, 1} * (kLeast * most) : unit;
+}
+
 app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   const app::UiState& ui = env.ui;
   app::Hover hover;
@@ -159,6 +173,11 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
       nearest = distance(*at, event.at);
       hover.depth = static_cast<int>(i);
     }
+  }
+  if (ui.tool == app::ToolKind::Lines) {
+    std::vector<app::ClientPoint> dots;
+    for (const app::DepthDot& dot : app::depthDots(env.document, env.derived, ui)) dots.push_back(dot.seen);
+    hover.depth = app::nearestOf(dots, event.at, reachOf(event));
   }
   if (const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, ui)) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());

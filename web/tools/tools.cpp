@@ -6,6 +6,7 @@
 #include "web/tools/ignore_tool.h"
 #include "web/tools/line_tool.h"
 #include "web/tools/pan_picture.h"
+#include "web/tools/pin_tool.h"
 #include "web/tools/place_tool.h"
 #include "web/tools/primitive_tool.h"
 #include "web/tools/region_tool.h"
@@ -54,6 +55,7 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
 
 std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInSolid(env, event);
+  if (under.depth >= 0 && env.ui.tool == app::ToolKind::Lines) return std::make_unique<PinTool>();
   if (under.depth >= 0) return std::make_unique<DepthTool>();
   if (env.ui.solids.pointing || env.ui.solids.hollow) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
   if (under.bone >= 0) return std::make_unique<BoneTool>(app::Focus::Solid);

@@ -122,6 +122,7 @@ inline constexpr std::array kIcons = {
     Icon{"group", 58468},
     Icon{"ungroup", 58471},
     Icon{"arrow-down-to-line", 58453},
+    Icon{"armchair", 58048},
     Icon{"arrow-down-from-line", 58452},
     Icon{"arrow-up-from-line", 58458},
     Icon{"scan-face", 58225},

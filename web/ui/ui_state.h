@@ -170,7 +170,7 @@ struct Hover {
   int other = -1;                   ///< one of the other places of the lit end
   int handle = -1;                  ///< of the spine of the selected part
   bool spine = false;               ///< its spine, beside the handles
-  int depth = -1;                   ///< a handle of its depth, in the solid view
+  int depth = -1;                   ///< in the solid view a handle of its depth, or of depthDots
   int mark = -1;                    ///< a scribble (see marksOf)
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
@@ -200,13 +200,14 @@ struct Chosen {
 
 /// What the gesture in hand draws and reaches; empty between gestures.
 struct InHand {
-  std::vector<PicturePoint> stroke;   ///< picture pixels
-  double radius = 0;                  ///< of a brush, picture pixels; 0: a thin line
-  bool hidden = false;                ///< the stroke is of a hidden line
-  bool box = false;                   ///< the stroke's first and last point span a box
-  std::vector<ribs::EndRef> touched;  ///< rib ends that it moves
-  std::optional<ribs::EndRef> end;    ///< the one that is dragged
-  int depth = -1;                     ///< the handle of the depth that is dragged
+  std::vector<PicturePoint> stroke;       ///< picture pixels
+  double radius = 0;                      ///< of a brush, picture pixels; 0: a thin line
+  bool hidden = false;                    ///< the stroke is of a hidden line
+  bool box = false;                       ///< the stroke's first and last point span a box
+  std::vector<ribs::EndRef> touched;      ///< rib ends that it moves
+  std::optional<ribs::EndRef> end;        ///< the one that is dragged
+  int depth = -1;                         ///< the handle or dot of the depth that is dragged
+  std::optional<document::PinDepth> pin;  ///< what that dot would be if the gesture ended now
 };
 
 /// How the tools work; lasts until it is changed.

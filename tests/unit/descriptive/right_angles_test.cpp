@@ -149,7 +149,7 @@ bool areJoined(const mesh::TriMesh& one, const mesh::TriMesh& other) {
 }
 
 struct Measured {
-  std::vector<double> lean, unlevel;  ///< degrees; shares of the height
+  std::vector<double> lean, unlevel, upright;  ///< degrees; shares of the height; degrees
   std::size_t apart = 0, wrong = 0;
   double backLean = 0;
 };
@@ -160,6 +160,8 @@ void measure(const Furniture& furniture, Measured& all) {
   const Model& model = made.value();
   REQUIRE(model.solids.size() == furniture.drawing.pieces.size());
   const ModelPoint up = normalOf(model.solids[0].mesh);
+  REQUIRE(model.up.has_value());
+  all.upright.push_back(std::acos(std::min(1.0, dot(*model.up, up))) * kDegrees);
   double low = 1e30, high = -1e30;
   for (std::size_t leg = 1; leg < 5; ++leg) {
     const mesh::TriMesh& mesh = model.solids[leg].mesh;
@@ -198,6 +200,7 @@ TEST_CASE("tables and chairs without pins: legs upright, feet level, orders as d
     }
     CHECK(share95(all.lean) <= 1.5);
     CHECK(share95(all.unlevel) <= 0.05);
+    CHECK(share95(all.upright) <= 1.5);
     CHECK(all.backLean <= 1);
     CHECK(all.apart == 0);
     CHECK(all.wrong == 0);
@@ -206,9 +209,10 @@ TEST_CASE("tables and chairs without pins: legs upright, feet level, orders as d
 
 TEST_CASE("what has no axes at right angles stays as it was: bars, a mat, ellipses, a triangle with legs") {
   const auto risesIn = [](const Drawing& drawing) {
-    return risesOf(testing::sheetsOf(drawing), drawing.pieces, sizeOf(drawing.lines)).size();
+    return rightAnglesOf(testing::sheetsOf(drawing), drawing.pieces, sizeOf(drawing.lines)).rises.size();
   };
   CHECK(risesIn(testing::barsInACycle()) == 0);
+  CHECK_FALSE(modelOf(testing::barsInACycle()).value().up.has_value());
   CHECK(risesIn(testing::wovenMat(4, PieceKind::Round)) == 0);
   for (std::uint64_t seed = 0; seed < 20; ++seed) CHECK(risesIn(testing::drawingOf(testing::randomDiscs(seed))) == 0);
   const auto never = [](std::uint32_t, std::uint32_t, PicturePoint) { return false; };
@@ -220,6 +224,23 @@ TEST_CASE("what has no axes at right angles stays as it was: bars, a mat, ellips
   // A parallelogram with these legs would be a table.
   outlines.back() = {{200, 450}, {480, 380}, {760, 470}, {480, 540}};
   CHECK(risesIn(testing::drawn(outlines, never, PieceKind::Round)) > 0);
+}
+
+TEST_CASE("seen from below, what is nearer is farther and up is up; unknown, there are no right angles") {
+  Rng rng(9);
+  const Furniture table = furniture({0.6, 0.6}, 0, 0, rng);
+  const std::vector<Sheet> sheets = testing::sheetsOf(table.drawing);
+  const double size = sizeOf(table.drawing.lines);
+  const auto seen = [&](SeenFrom from) { return rightAnglesOf(sheets, table.drawing.pieces, size, from); };
+  const RightAngles above = seen(SeenFrom::Above), below = seen(SeenFrom::Below);
+  REQUIRE(above.rises.size() == below.rises.size());
+  for (std::size_t i = 0; i < above.rises.size(); ++i) CHECK(above.rises[i].nearer == -below.rises[i].nearer);
+  REQUIRE(above.up.has_value());
+  CHECK(norm(*above.up) == doctest::Approx(1));
+  CHECK(above.up->z > 0.1);
+  CHECK(*below.up == ModelPoint{above.up->x, above.up->y, -above.up->z});
+  CHECK(seen(SeenFrom::Unknown).rises.empty());
+  CHECK_FALSE(seen(SeenFrom::Unknown).up.has_value());
 }
 
 TEST_CASE("a table is the same whichever line was drawn first") {

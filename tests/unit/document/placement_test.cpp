@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "engine/document/update.h"
@@ -54,6 +55,19 @@ TEST_CASE("turns: there and back, angles of any turn, and a turn keeps lengths")
   // About y, what is in front goes to the right.
   const WorldPoint front{0, 0, 1};
   CHECK(distance(geometry::turned(geometry::turnOf({0, std::numbers::pi / 2, 0}), front), WorldPoint{1, 0, 0}) < 1e-12);
+}
+
+TEST_CASE("the least turn from one direction to another brings it there, and goes no other way round") {
+  Rng rng(5);
+  for (int i = 0; i < 500; ++i) {
+    const WorldPoint from = normalized(anyPoint(rng));
+    WorldPoint to = normalized(anyPoint(rng));
+    if (i % 5 == 0) to = from * (i % 2 == 0 ? -1.0 : 1.0);
+    const geometry::Turn turn = geometry::turnTo(from * 3.0, to * 0.5);
+    CHECK(geometry::isValid(turn));
+    CHECK(distance(geometry::turned(turn, from), to) < 1e-9);
+    CHECK(2 * std::acos(std::min(1.0, turn.w)) == doctest::Approx(std::acos(std::clamp(dot(from, to), -1.0, 1.0))));
+  }
 }
 
 TEST_CASE("a motion after a placement is one placement, and the motion between two placements is found") {

@@ -408,6 +408,17 @@ TEST_CASE("the golden document with a weight of the search reads as what was wri
   CHECK(read.parts[0]->recipe == document::Recipe(tail));
 }
 
+TEST_CASE("the golden document with a line drawing seen from below reads as what was written") {
+  const document::Document plain = readWhole("golden/document-v2-lines.json"),
+                           read = readWhole("golden/document-v2-seen.json");
+  REQUIRE(read.drawings.size() == 1);
+  document::Drawing drawing = plain.drawings[0];
+  CHECK(drawing.seenFrom == descriptive::SeenFrom::Above);
+  drawing.seenFrom = descriptive::SeenFrom::Below;
+  CHECK(*read.drawings[0] == drawing);
+  CHECK(read.parts == plain.parts);
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {
@@ -420,7 +431,8 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
     // A key that is spelled takes as many characters of a link as its name has; the examples never change.
-    static const std::set<std::string> kCameLater{"forkAt", "joinAt", "links", "melt", "on"};  // than version 6
+    static const std::set<std::string> kCameLater{"forkAt", "joinAt", "links",
+                                                  "melt",   "on",     "seenFrom"};  // than version 6
     CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }
 }

@@ -5,8 +5,11 @@
 #include <array>
 #include <string>
 
+#include "engine/document/update.h"
+#include "engine/pipeline/derive.h"
 #include "tests/support/line_creature.h"
 #include "tests/unit/web/rig.h"
+#include "web/edit/line_drawing.h"
 
 using namespace spineloft;
 using namespace spineloft::testing;
@@ -185,6 +188,57 @@ TEST_CASE("a tap on a bridge swaps there only, and one more swaps back; keys do 
   CHECK(*page.state().text("tool") == "lines");
 }
 
+TEST_CASE("a dot of the turned solid view is dragged nearer by every pointer: one step, live, and a tap frees it") {
+  for (const platform::Device device : kDevices) {
+    CAPTURE(static_cast<int>(device));
+    Lines page;
+    page.draw(bodyLine(), true, device);
+    page.draw(legLine(360), false, device);
+    const auto dots = [&] { return *page.state().find("depthDots")->array(); };
+    const auto pins = [&] { return page.drawing().find("pins")->array()->size(); };
+    const auto send = [&](platform::PointerKind kind, app::ClientPoint p) { page.pointer(kind, p.x, p.y, device); };
+    const auto placeOf = [](const app::Json& dot) {
+      const auto& at = *dot.find("at")->array();
+      return app::ClientPoint{*at[0].number(), *at[1].number()};
+    };
+    CHECK(page.works("home-view"));
+    REQUIRE(dots().size() >= 6);
+    const app::Json dot = dots()[2];
+    const app::ClientPoint from = placeOf(dot);
+    CHECK(dot.flag("pinned") == false);
+    const double steps = page.undoSteps();
+    const auto drag = [&](double by) {
+      send(platform::PointerKind::Down, from);
+      for (int i = 1; i <= 10; ++i) send(platform::PointerKind::Move, from + app::ClientPoint{by * i / 10, 0});
+      page.settle(2);
+    };
+    drag(60);
+    // It follows before the pointer is lifted.
+    CHECK(std::abs(*dots()[2].number("z") - *dot.number("z")) > 10);
+    CHECK(pins() == 0);
+    CHECK(page.key("Escape", "Escape"));
+    send(platform::PointerKind::Up, from);
+    page.settle();
+    CHECK(page.undoSteps() == steps);
+    CHECK(*dots()[2].number("z") == doctest::Approx(*dot.number("z")));
+    drag(60);
+    send(platform::PointerKind::Up, from + app::ClientPoint{60, 0});
+    page.settle();
+    CHECK(page.undoSteps() == steps + 1);
+    REQUIRE(pins() == 1);
+    const app::Json pinned = dots()[0];
+    CHECK(pinned.flag("pinned") == true);
+    CHECK(*page.drawing().find("pins")->array()->front().number("z") == doctest::Approx(*pinned.number("z")));
+    CHECK(distance(placeOf(pinned), from) > 10);
+    const app::ClientPoint there = placeOf(pinned);
+    page.tap(there.x, there.y, device);
+    CHECK(pins() == 0);
+    CHECK(page.works("undo"));
+    CHECK(page.works("undo"));
+    CHECK(pins() == 0);
+  }
+}
+
 TEST_CASE("an open line waits with rings; a tap on one closes it, and so does a line between them") {
   const std::vector<PicturePoint> open{{300, 300}, {250, 340}, {230, 400}, {250, 460}, {300, 500}};
   for (const platform::Device device : kDevices) {
@@ -236,6 +290,77 @@ TEST_CASE("a piece is round or flat, from the panel's words and by its command")
   CHECK(page.works("set-parameter", R"({"key": "front", "value": 2})"));
   CHECK(page.works("more-tools", R"({"on": true})"));
   CHECK(page.fault("shape-piece", R"({"kind": "flat", "part": 9})") == "NoSuchPart");
+}
+
+/// A box seen from above: nine seen lines.
+std::vector<std::vector<PicturePoint>> seenBox() {
+  const std::vector<PicturePoint> p{{300, 200}, {600, 260}, {780, 180}, {480, 130}, {300, 520}, {600, 600}, {780, 500}};
+  return {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[3]}, {p[3], p[0]}, {p[0], p[4]},
+          {p[1], p[5]}, {p[2], p[6]}, {p[4], p[5]}, {p[5], p[6]}};
+}
+
+TEST_CASE("after the turn upright a box stands on four corners, and no turn is left") {
+  document::Document document = document::update({}, document::AddSketch{"paper", {1000, 800}}).value();
+  for (const auto& line : seenBox()) {
+    document = document::update(document, document::DrawLine{document.pictures[0]->id, line}).value();
+  }
+  REQUIRE(document.parts.size() == 1);
+  const PartId box = document.parts[0]->id;
+  pipeline::Cache cache;
+  const pipeline::Derived derived = pipeline::derive(document, cache);
+  const auto turn = app::turnUpright(document, derived, box);
+  REQUIRE(turn.has_value());
+  const mesh::TriMesh& mesh = derived.parts[0].shape->mesh;
+  std::vector<double> heights;
+  for (const auto& p : mesh.positions) heights.push_back(geometry::turned(*turn, WorldPoint{p[0], p[1], p[2]}).y);
+  std::ranges::sort(heights);
+  const double tall = heights.back() - heights.front();
+  CHECK(tall > 300);
+  const auto atFloor = [&](double h) { return h < heights.front() + 1e-4 * tall; };
+  CHECK(std::ranges::count_if(heights, atFloor) >= 4);
+  document::Motion motion;
+  motion.turn = *turn;
+  document = document::update(document, document::PlaceParts{{{box, document::moved(document::Placement{}, motion), {}}}}).value();
+  CHECK_FALSE(app::turnUpright(document, pipeline::derive(document, cache), box).has_value());
+}
+
+TEST_CASE("a box that was drawn from above is stood upright in one step") {
+  Lines page;
+  for (const auto& line : seenBox()) page.draw(line);
+  REQUIRE(page.parts() == 1);
+  const double steps = page.undoSteps();
+  CHECK(page.works("stand-upright"));
+  CHECK(page.undoSteps() == steps + 1);
+  CHECK(page.fault("stand-upright", "{}") == "NotNow");
+  CHECK(page.works("undo"));
+  CHECK(page.works("stand-upright", R"({"part": 1})"));
+  CHECK(page.fault("stand-upright", R"({"part": 9})") == "NoSuchPart");
+}
+
+TEST_CASE("right angles are seen from above, from below or not at all, and the panel says which") {
+  Lines page;
+  CHECK(page.works("draw-line", R"({"points": [[300, 300], [600, 360], [760, 280], [460, 220]], "closed": true})"));
+  CHECK(page.works("shape-piece", R"({"kind": "flat"})"));
+  CHECK(page.works("draw-line", R"({"points": [[440, 300], [470, 300], [470, 600], [440, 600]], "closed": true})"));
+  const auto seen = [&] { return *page.drawing().text("seenFrom"); };
+  const auto isShown = [&](const char* words) {
+    const app::Json now = page.state();
+    return std::ranges::any_of(*now.find("controls")->array(),
+                               [&](const app::Json& one) { return *one.text("words") == words; });
+  };
+  CHECK(seen() == "above");
+  CHECK(isShown("From below"));
+  CHECK(isShown("Stand upright"));
+  CHECK(page.works("seen-from", R"({"from": "unknown"})"));
+  CHECK(seen() == "unknown");
+  CHECK(isShown("From below"));
+  CHECK_FALSE(isShown("Stand upright"));
+  CHECK(page.works("seen-from", R"({"from": "below", "part": 1})"));
+  CHECK(seen() == "below");
+  CHECK(page.works("undo"));
+  CHECK(seen() == "unknown");
+  CHECK(page.fault("seen-from", R"({"from": "behind"})") == "ArgumentMissing");
+  CHECK(page.fault("seen-from", R"({"from": "above", "part": 9})") == "NoSuchPart");
 }
 
 TEST_CASE("programs draw, hide, order, pin and delete, and are told why not") {

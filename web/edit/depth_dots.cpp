@@ -1,0 +1,142 @@
+#include "web/edit/depth_dots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "engine/document/pieces.h"
+#include "engine/geometry/polyline.h"
+#include "web/edit/placing.h"
+
+namespace spineloft::app {
+namespace {
+
+/// Seen shorter than this share of its length, depth is not dragged.
+constexpr double kLeastDepth = 0.15;
+/// Of a line's length: a free place is not so near to a pin.
+constexpr double kBesidePin = 0.05;
+/// Of the size: corners of faces that are nearer are one.
+constexpr double kOneCorner = 0.02;
+
+/// What is derived of the piece; null without it.
+const descriptive::ModelPiece* solidOf(const pipeline::Derived& derived, PartId id) {
+  for (const pipeline::DerivedDrawing& drawing : derived.drawings) {
+    const auto at = std::ranges::find(drawing.pieces, id);
+    if (at == drawing.pieces.end() || !drawing.shape) continue;
+    const auto number = static_cast<std::uint32_t>(at - drawing.pieces.begin());
+    const auto& solids = drawing.shape->model.solids;
+    const auto solid = std::ranges::find(solids, number, &descriptive::ModelPiece::piece);
+    if (solid != solids.end()) return &*solid;
+  }
+  return nullptr;
+}
+
+/// A line that is measured to place dots on it.
+struct Track {
+  std::vector<PicturePoint> points;
+  std::vector<double> s;
+  explicit Track(const document::DrawnLine& line) : points(line.points) {
+    if (line.closed) points.push_back(points.front());
+    geometry::arcLengths(std::span<const PicturePoint>(points), s);
+  }
+  PicturePoint at(double share) const {
+    return geometry::pointAt(std::span<const PicturePoint>(points), std::span<const double>(s), share * s.back());
+  }
+};
+
+class Dots {
+ public:
+  Dots(const document::Drawing& drawing, const descriptive::ModelPiece& solid) : drawing_(drawing), solid_(solid) {}
+
+  void addPins(const document::ElementRecipe& piece) {
+    for (const document::DepthPin& pin : drawing_.pins) {
+      const bool isOwn = std::ranges::any_of(piece.outlines, [&](const document::LineOutline& outline) {
+        return std::ranges::any_of(outline.runs, [&](const document::LineRun& run) {
+          const auto [low, high] = std::minmax(run.from, run.to);
+          return run.line == pin.line && pin.at >= low && pin.at <= high;
+        });
+      });
+      if (isOwn) add(pin.line, pin.at, true);
+    }
+  }
+  /// `atCorners`: of faces.
+  void addFree(const document::LineOutline& outline, bool atCorners) {
+    double whole = 0;
+    std::vector<double> lengths;
+    for (const document::LineRun& run : outline.runs) {
+      const document::DrawnLine* line = document::findLine(drawing_, run.line);
+      lengths.push_back(line ? Track(*line).s.back() * std::abs(run.to - run.from) : 0);
+      whole += lengths.back();
+    }
+    for (std::size_t i = 0; i < outline.runs.size() && whole > 0; ++i) {
+      const document::LineRun& run = outline.runs[i];
+      const double count = atCorners ? 1 : std::max(1.0, std::round(kDots * lengths[i] / whole));
+      for (double k = 0; k < count; ++k) {
+        const double way = atCorners ? 0 : (k + 0.5) / count, at = run.from + (run.to - run.from) * way;
+        if (lengths[i] > 0 && !isTaken(run.line, at, atCorners)) add(run.line, at, false);
+      }
+    }
+  }
+  std::vector<DepthDot> take() { return std::move(dots_); }
+
+ private:
+  bool isTaken(LineId line, double at, bool atCorners) const {
+    const PicturePoint p = Track(*document::findLine(drawing_, line)).at(at);
+    return std::ranges::any_of(dots_, [&](const DepthDot& dot) {
+      if (atCorners && distance(PicturePoint{dot.where.x, -dot.where.y}, p) < kOneCorner * span()) return true;
+      return dot.line == line && std::abs(dot.at - at) < kBesidePin;
+    });
+  }
+  double span() const {
+    double low = INFINITY, high = -INFINITY;
+    for (const ModelPoint& p : solid_.rim) {
+      low = std::min({low, p.x, p.y});
+      high = std::max({high, p.x, p.y});
+    }
+    return high - low;
+  }
+  void add(LineId id, double at, bool pinned) {
+    const document::DrawnLine* line = document::findLine(drawing_, id);
+    if (line == nullptr || solid_.rim.empty()) return;
+    const PicturePoint p = Track(*line).at(at);
+    const auto away = [&](const ModelPoint& r) { return std::hypot(r.x - p.x, r.y + p.y); };
+    const ModelPoint rim = std::ranges::min(solid_.rim, {}, away);
+    dots_.push_back({drawing_.id, id, at, {p.x, -p.y, rim.z}, {}, pinned});
+  }
+
+  const document::Drawing& drawing_;
+  const descriptive::ModelPiece& solid_;
+  std::vector<DepthDot> dots_;
+};
+
+}  // namespace
+
+std::vector<DepthDot> depthDots(const document::Document& document, const pipeline::Derived& derived,
+                                const UiState& ui) {
+  const document::Part* part = document::findPart(document, ui.selection);
+  const document::ElementRecipe* piece = part ? document::elementOf(*part) : nullptr;
+  if (ui.tool != ToolKind::Lines || piece == nullptr || !part->visible) return {};
+  const document::Drawing* drawing = document::findDrawing(document, piece->drawing);
+  const document::PictureEntry* entry = document::findPicture(document, piece->picture);
+  const descriptive::ModelPiece* solid = solidOf(derived, part->id);
+  if (drawing == nullptr || entry == nullptr || solid == nullptr) return {};
+  const pipeline::Copies copies = shownCopies(ui, *part, entry->size);
+  const pipeline::ToWorld& toWorld = *copies.begin();
+  const double facing = dot(normalized(toWorld.along({0, 0, 1})), ui.camera.back());
+  if (std::sqrt(std::max(0.0, 1 - facing * facing)) < kLeastDepth) return {};
+  Dots dots(*drawing, *solid);
+  dots.addPins(*piece);
+  for (const document::LineOutline& outline : piece->outlines) {
+    dots.addFree(outline, piece->kind == descriptive::PieceKind::Solid);
+  }
+  std::vector<DepthDot> all = dots.take();
+  std::erase_if(all, [&](DepthDot& dot) {
+    const auto seen = pointOnCanvas(ui.camera, ui.layout.solid, toWorld(dot.where));
+    dot.seen = seen.value_or(ClientPoint{});
+    return !seen.has_value();
+  });
+  return all;
+}
+
+}  // namespace spineloft::app

@@ -1,0 +1,28 @@
+// Dots along the outlines of a piece of a line drawing, dragged nearer or farther in the solid view: pins of its depth.
+#pragma once
+
+#include <vector>
+
+#include "engine/document/document.h"
+#include "engine/pipeline/derive.h"
+#include "web/ui/ui_state.h"
+
+namespace spineloft::app {
+
+struct DepthDot {
+  DrawingId drawing;
+  LineId line;
+  double at = 0;  ///< share of the line's length
+  ModelPoint where;
+  ClientPoint seen;     ///< on the canvas
+  bool pinned = false;  ///< its depth is given
+};
+
+/// Of the selected piece while the tool Lines is in hand: its pins, and free places about kDots to an outline, of a
+/// piece with edges its corners. None where it is seen from the front: there depth has no length.
+std::vector<DepthDot> depthDots(const document::Document& document, const pipeline::Derived& derived,
+                                const UiState& ui);
+
+inline constexpr double kDots = 8;
+
+}  // namespace spineloft::app
