@@ -270,6 +270,19 @@ test('lines alone give the pieces that were meant, in every drawing', (t) => {
   }
 });
 
+test('turtle: head, legs and tail go on behind the shell though only what is seen of them is drawn', (t) => {
+  const folder = workFolder(t);
+  const report = reportOf(folder, recipe('turtle'));
+  assert.deepEqual([report.contradictions, report.lost, report.openLines], [[], [], []]);
+  assert.equal(report.pieces.length, 5);
+  for (const { mesh } of report.pieces) assert.ok(mesh.lawful && mesh.genus === 0 && mesh.shells === 1);
+  const [shell, ...others] = report.pieces.map(({ name }) => name);
+  assert.deepEqual(
+    report.orders.map(({ over, under, from }) => [over, under, from]),
+    others.map((name) => [shell, name, 'drawn']),
+  );
+});
+
 test('pins win over right angles, and hold in the file', (t) => {
   const folder = workFolder(t);
   const { drawing } = readJson(recipe('table'));
@@ -349,6 +362,7 @@ test('what is wrong with a drawing is said with its key', (t) => {
     /pieces\[0\]\.kind/,
   );
   refused({ drawing: { size: [99, 99], lines: [line], pins: [{ line: -1, z: 3 }] } }, /pins\[0\]\.line/);
+  refused({ drawing: { size: [99, 99], lines: [line], seenFrom: 'aside' } }, /seenFrom is none of/);
   refused({ drawing: { size: [99, 99], lines: [line] }, parts: [] }, /nothing named recipe\.parts/);
   refused({ drawing: { size: [99, 99], lines: [] } }, /./);
   refused({ drawing: { size: [99, 99], lines: [line] } }, /needs no picture/, '--mask', folder.path('mask.png'));

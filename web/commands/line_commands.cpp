@@ -166,6 +166,15 @@ Outcome standUpright(Env env, const Json& args) {
   document::Motion motion;
   motion.centre = centreOf(document, derived, env.ui, parts).value_or(WorldPoint{});
   motion.turn = *turn;
+  // It stands on the floor of the others, or where it touched its own.
+  const document::PlaceParts turned{movedParts(document, derived, parts, motion)};
+  auto floor = pipeline::boundsWithout(document, derived, parts);
+  if (!floor) floor = pipeline::boundsOf(document, derived, parts);
+  if (const auto next = document::update(document, turned); next && floor) {
+    if (const auto after = pipeline::boundsOf(next.value(), derived, parts)) {
+      motion.move.y = floor->low.y - after->low.y;
+    }
+  }
   const auto actions = placeActions(document, derived, movedParts(document, derived, parts, motion));
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
   env.ui.framePending = true;

@@ -112,8 +112,8 @@ class Dots {
 
 }  // namespace
 
-std::vector<DepthDot> depthDots(const document::Document& document, const pipeline::Derived& derived,
-                                const UiState& ui) {
+std::vector<DepthDot> dotsOfPiece(const document::Document& document, const pipeline::Derived& derived,
+                                  const UiState& ui) {
   const document::Part* part = document::findPart(document, ui.selection);
   const document::ElementRecipe* piece = part ? document::elementOf(*part) : nullptr;
   if (ui.tool != ToolKind::Lines || piece == nullptr || !part->visible) return {};

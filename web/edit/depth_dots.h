@@ -20,8 +20,14 @@ struct DepthDot {
 
 /// Of the selected piece while the tool Lines is in hand: its pins, and free places about kDots to an outline, of a
 /// piece with edges its corners. None where it is seen from the front: there depth has no length.
-std::vector<DepthDot> depthDots(const document::Document& document, const pipeline::Derived& derived,
-                                const UiState& ui);
+std::vector<DepthDot> dotsOfPiece(const document::Document& document, const pipeline::Derived& derived,
+                                  const UiState& ui);
+/// The same, which asks for nothing of the second program (SECOND_OBJECTS of web/CMakeLists.txt) without need.
+inline std::vector<DepthDot> depthDots(const document::Document& document, const pipeline::Derived& derived,
+                                       const UiState& ui) {
+  if (ui.tool != ToolKind::Lines || !ui.selection) return {};
+  return dotsOfPiece(document, derived, ui);
+}
 
 inline constexpr double kDots = 8;
 

@@ -240,7 +240,7 @@ const char* lineHint(const PanelEnv& env) {
   const app::LineMarks marks = app::lineMarks(env.document(), env.derived, env.ui());
   if (!marks.looseEnds.empty()) return "Draw on from a ring, or tap it to close the line";
   if (env.document().drawings.empty()) return "Draw a closed line: it becomes a piece";
-  return marks.bridges.empty() ? "Draw one more piece. What is behind, draw with Hidden"
+  return marks.bridges.empty() ? "Draw one more piece. What ends at an edge goes on behind it"
                                : "Tap a bridge to swap front and back there";
 }
 
