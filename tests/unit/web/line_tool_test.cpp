@@ -320,7 +320,9 @@ TEST_CASE("after the turn upright a box stands on four corners, and no turn is l
   CHECK(std::ranges::count_if(heights, atFloor) >= 4);
   document::Motion motion;
   motion.turn = *turn;
-  document = document::update(document, document::PlaceParts{{{box, document::moved(document::Placement{}, motion), {}}}}).value();
+  document =
+      document::update(document, document::PlaceParts{{{box, document::moved(document::Placement{}, motion), {}}}})
+          .value();
   CHECK_FALSE(app::turnUpright(document, pipeline::derive(document, cache), box).has_value());
 }
 
