@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { removeLeftovers, withSetupLock } from './lib/cache.mjs';
 import { closePinnedSuite, installGroups, installIfPossible } from './lib/debian.mjs';
 import { findEmscripten } from './lib/emscripten.mjs';
-import { compileNativeModules, installNodeHeaders } from './lib/native_modules.mjs';
+import { compileNativeModules } from './lib/native_modules.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
 import { buildDir, cacheDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
@@ -72,12 +72,10 @@ export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
     removeLeftovers();
     await installGroups(['base', 'headers', ...parts.filter((part) => part !== 'readers')]);
     if (parts.includes('readers')) await installIfPossible('readers');
-    const wantsNode = parts.includes('node');
-    if (wantsNode) await installNodeHeaders();
     try {
       // Downloads and a compiler on one core do not wait for each other.
       await all([
-        wantsNode ? installNodePackages().then(compileNativeModules) : null,
+        parts.includes('node') ? installNodePackages().then(compileNativeModules) : null,
         findFacts(parts).then(writeFacts),
       ]);
     } finally {

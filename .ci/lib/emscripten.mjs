@@ -149,10 +149,9 @@ export async function findEmscripten() {
   if (major >= 13 && process.getuid() === 0) {
     say(`Emscripten ${pin.version}: installing it with apt-get (2 minutes)`);
     const env = { DEBIAN_FRONTEND: 'noninteractive' };
-    await run('apt-get install emscripten', 'apt-get', ['install', '-y', '--no-install-recommends', 'emscripten'], {
-      env,
-      allowFailure: true,
-    });
+    // Another part of the set-up may hold the lock.
+    const words = ['-o', 'DPkg::Lock::Timeout=900', 'install', '-y', '--no-install-recommends', 'emscripten'];
+    await run('apt-get install emscripten', 'apt-get', words, { env, allowFailure: true });
     const root = installedRoot();
     if (root) return root;
   }

@@ -29,14 +29,7 @@ function nodeGyp() {
   return found;
 }
 
-/** Debian's headers of Node, where this Node came without them and the package is not compiled yet. */
-export async function installNodeHeaders() {
-  if (!existsSync(join(root, 'node_modules', kPackage, kBinary)) && !headersOfNode()) {
-    await installGroups(['nodeHeaders']);
-  }
-}
-
-/** Compiles the package, which npm has put there, on one core. Wants installNodeHeaders() first. */
+/** Compiles the package, which npm has put there, on one core. */
 export async function compileNativeModules() {
   const from = join(root, 'node_modules', kPackage);
   const binary = join(from, kBinary);
@@ -44,6 +37,7 @@ export async function compileNativeModules() {
   const { version } = JSON.parse(readFileSync(join(from, 'package.json'), 'utf8'));
   const name = `${kPackage}-${version}-${shortHash([process.versions.modules, process.arch])}`;
   const place = await cached(name, { what: `${kPackage} ${version}`, howLong: '1 to 3 minutes' }, async (temporary) => {
+    if (!headersOfNode()) await installGroups(['nodeHeaders']);
     const headers = headersOfNode();
     if (!headers)
       throw new Stop(`The headers of Node ${process.versions.node} are missing: Debian has them as libnode-dev.`);

@@ -103,12 +103,15 @@ bool leadsInto(const LineEnd& end, const Cover& cover, double size) {
 
 bool isCovered(std::span<const Cover> covers, const LineEnd& from, const LineEnd& to) {
   const HiddenWay way = hiddenWay(from, to);
-  const auto outside = std::count_if(way.points.begin() + 1, way.points.end() - 1, [&](PicturePoint p) {
-    return std::ranges::none_of(covers, [&](const Cover& cover) {
-      return !isOf(cover, from.line) && !isOf(cover, to.line) && holds(cover, p);
+  const double most = kUncovered * static_cast<double>(way.points.size());
+  double outside = 0;
+  for (std::size_t i = 1; i + 1 < way.points.size() && outside <= most; ++i) {
+    const bool isHidden = std::ranges::any_of(covers, [&](const Cover& cover) {
+      return !isOf(cover, from.line) && !isOf(cover, to.line) && holds(cover, way.points[i]);
     });
-  });
-  return static_cast<double>(outside) <= kUncovered * static_cast<double>(way.points.size());
+    if (!isHidden) ++outside;
+  }
+  return outside <= most;
 }
 
 }  // namespace
@@ -134,11 +137,12 @@ LineEnd endOf(std::span<const MeasuredLine> lines, std::uint32_t number, bool la
   return {number, end, normalized(-a), speed > 0 ? -2 * cross(a, b) / (speed * speed * speed) : 0.0};
 }
 
-bool isOnOther(std::span<const MeasuredLine> lines, const LineEnd& end, double size) {
+bool goesUnder(std::span<const MeasuredLine> lines, const LineEnd& end, double size) {
+  const PicturePoint ahead = end.at + end.along * (kWelding * size);
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (k == end.line) continue;
-    if (geometry::distanceToLine(end.at, std::span<const PicturePoint>(lines[k].points)) <= kContact * size)
-      return true;
+    const std::span<const PicturePoint> points = lines[k].points;
+    if (k == end.line || geometry::distanceToLine(end.at, points) > kContact * size) continue;
+    if (!lines[k].closed || geometry::holds(points, ahead)) return true;
   }
   return false;
 }
@@ -172,16 +176,20 @@ std::vector<std::array<std::size_t, 2>> hiddenPairs(std::span<const LineEnd> end
     for (std::size_t k = i + 1; k < going.size(); ++k) {
       const LineEnd &from = ends[going[i]], &to = ends[going[k]];
       const Between between = betweenOf(from, to);
-      if (between.turn() > kMostHiddenTurn) continue;
+      if (between.turn() > kMostHiddenTurn || norm(between.chord) <= kWelding * size) continue;
       pairs.push_back({costOf(from, to, between, size), {going[i], going[k]}});
     }
   }
   std::ranges::stable_sort(pairs, {}, &Pair::cost);
-  std::vector<bool> taken(ends.size(), false);
+  std::vector<int> tries(ends.size(), 0);
   std::vector<std::array<std::size_t, 2>> out;
   for (const auto& [cost, pair] : pairs) {
-    if (taken[pair[0]] || taken[pair[1]] || !isCovered(covers, ends[pair[0]], ends[pair[1]])) continue;
-    taken[pair[0]] = taken[pair[1]] = true;
+    int &one = tries[pair[0]], &other = tries[pair[1]];
+    if (one >= kMostTries || other >= kMostTries) continue;
+    ++one;
+    ++other;
+    if (!isCovered(covers, ends[pair[0]], ends[pair[1]])) continue;
+    one = other = kMostTries;
     out.push_back(pair);
   }
   return out;

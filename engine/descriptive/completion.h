@@ -16,13 +16,13 @@ struct LineEnd {
   std::uint32_t line = 0;
   PicturePoint at;     ///< pixels
   PicturePoint along;  ///< of length 1, on from the line
-  double bend = 0;     ///< curvature there, on from the line: radians a pixel, > 0 where y × x turns
+  double bend = 0;     ///< curvature there, on from the line, radians a pixel; > 0: clockwise as the picture is seen
 };
 /// Direction and curvature are those of the parabola through the end that is nearest to the last kEndLook of the line.
 LineEnd endOf(std::span<const MeasuredLine> lines, std::uint32_t line, bool last);
 
-/// Whether the end lies on another line. `size`: sizeOf.
-bool isOnOther(std::span<const MeasuredLine> lines, const LineEnd& end, double size);
+/// Whether the end lies on another line and, where that is closed, leads into it. `size`: sizeOf.
+bool goesUnder(std::span<const MeasuredLine> lines, const LineEnd& end, double size);
 
 /// The way from one end to another one, both included; pixels.
 struct HiddenWay {
@@ -44,13 +44,14 @@ struct Cover {
 /// Pairs of ends that go on into each other behind something, by their place in `ends`: each lies on the edge of one of
 /// the covers and leads into it, and the whole way between them is within covers and turns by at most kMostHiddenTurn;
 /// a line hides none of its own ends. Of all such pairs those count first whose way bends as the lines do at their
-/// ends: with the least Σ (Δ bend · c)² + kWayWeight · c / size, c their distance; each end is in one. Cost: ends
-/// squared, and ends times the points of the covers.
+/// ends: with the least Σ (Δ bend · c)² + kWayWeight · c / size, c their distance, > kWelding · size; each end is in
+/// one, and is tried in at most kMostTries. Cost: ends squared, and ends times the points of the covers.
 std::vector<std::array<std::size_t, 2>> hiddenPairs(std::span<const LineEnd> ends, std::span<const Cover> covers,
                                                     double size);
 
 inline constexpr double kEndLook = 0.1;
 inline constexpr double kMostHiddenTurn = 4.2;  ///< 240°: sides of a leg may part
 inline constexpr double kWayWeight = 8;
+inline constexpr int kMostTries = 8;
 
 }  // namespace spineloft::descriptive

@@ -206,9 +206,6 @@ class Maker {
   void square() {
     const RightAngles angles = rightAnglesOf(sheets_, pieces_, model_.size, drawing_.seenFrom);
     model_.up = angles.up;
-    for (const Patch& patch : patches_) {
-      if (!model_.up && patch.faced() != nullptr) model_.up = patch.faced()->up;
-    }
     for (const Rise& one : angles.rises) {
       const PiecePlace from = rimAt(one.piece, one.from), to = rimAt(one.piece, one.to);
       // What the board cuts off is at no rim.
@@ -242,7 +239,9 @@ class Maker {
                        solidOf(patches_[i], pieces_[i], depths.pieces[i], scale_, drawing_.size),
                        sheets_[i].region,
                        {},
+                       {},
                        offPlane(patches_[i], depths.pieces[i])};
+      if (patches_[i].faced() != nullptr) piece.up = patches_[i].faced()->up;
       piece.rim = rimOf(patches_[i], depths.pieces[i], piece.mesh);
       model_.solids.push_back(std::move(piece));
       for (OutlinePath& outline : sheets_[i].outlines) {

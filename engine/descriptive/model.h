@@ -13,11 +13,12 @@ namespace spineloft::descriptive {
 
 /// One piece as a solid.
 struct ModelPiece {
-  std::uint32_t piece = 0;      ///< index in Model::pieces
-  mesh::TriMesh mesh;           ///< ModelSpace, closed
-  geometry::Contours region;    ///< what its outlines enclose in the picture
-  std::vector<ModelPoint> rim;  ///< points of its middle surface along its outlines; of kind Solid its corners
-  double planarity = 0;         ///< how far the outline is from its plane, the most, as a share of the drawing's size
+  std::uint32_t piece = 0;       ///< index in Model::pieces
+  mesh::TriMesh mesh;            ///< ModelSpace, closed
+  geometry::Contours region;     ///< what its outlines enclose in the picture
+  std::vector<ModelPoint> rim;   ///< points of its middle surface along its outlines; of kind Solid its corners
+  std::optional<ModelPoint> up;  ///< of kind Solid: of length 1, off its base
+  double planarity = 0;          ///< how far the outline is from its plane, the most, as a share of the drawing's size
 };
 
 /// A piece that is none: what its outline encloses makes no solid.
@@ -35,7 +36,7 @@ struct Model {
   std::vector<std::uint32_t> openLines;                 ///< lines in no outline
   std::vector<std::vector<PicturePoint>> completed;     ///< ways along outlines that no line draws
   std::vector<std::array<std::uint32_t, 2>> conflicts;  ///< pairs of solids whose order cannot hold in depth
-  std::optional<ModelPoint> up;  ///< of length 1: what right angles say is upright; none: nothing says it
+  std::optional<ModelPoint> up;  ///< of length 1: what right angles of flat and round pieces say; none: nothing
   DepthStats depth;
   double size = 0;  ///< of the drawing, pixels
 };

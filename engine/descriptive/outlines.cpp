@@ -1,6 +1,7 @@
 #include "engine/descriptive/outlines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -66,9 +67,9 @@ class Pairing {
   double cost_ = std::numeric_limits<double>::infinity();
 };
 
-/// Two ends that meet on a third line and come from the same side are no corner: both end there.
-bool bothEndThere(std::span<const MeasuredLine> lines, const Node& node, PicturePoint one, PicturePoint other,
-                  double size) {
+/// Whether two ends that meet on a third line turn so sharply there that both may end at it.
+bool mayBothEnd(std::span<const MeasuredLine> lines, const Node& node, PicturePoint one, PicturePoint other,
+                double size) {
   constexpr double kSharpest = 2.1;  // radians, about 120°
   if (turnOf(one, other) < kSharpest * kSharpest) return false;
   for (std::uint32_t k = 0; k < lines.size(); ++k) {
@@ -80,26 +81,47 @@ bool bothEndThere(std::span<const MeasuredLine> lines, const Node& node, Picture
 }
 
 /// For every end the end with which it goes on.
-std::vector<EndId> partnersOf(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size) {
-  std::vector<EndId> partner(2 * lines.size(), kNoEnd);
-  for (const Node& node : nodes) {
-    if (node.kind != NodeKind::Corner) continue;
-    std::vector<PicturePoint> directions;
-    for (std::size_t i = 0; i < std::min(node.places.size(), kMostPaired); ++i) {
-      const Place& place = node.places[i];
-      directions.push_back(leaving(lines[place.line], place.share > 0.5));
-    }
-    const Pairing pairing(directions);
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-      const int found = pairing.partners()[i];
-      if (found < 0) continue;
-      const auto other = static_cast<std::size_t>(found);
-      if (bothEndThere(lines, node, directions[i], directions[other], size)) continue;
-      partner[endAt(node.places[i])] = endAt(node.places[other]);
+class Partners {
+ public:
+  Partners(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size)
+      : of_(2 * lines.size(), kNoEnd) {
+    for (const Node& node : nodes) {
+      if (node.kind != NodeKind::Corner) continue;
+      std::vector<PicturePoint> directions;
+      for (std::size_t i = 0; i < std::min(node.places.size(), kMostPaired); ++i) {
+        const Place& place = node.places[i];
+        directions.push_back(leaving(lines[place.line], place.share > 0.5));
+      }
+      const Pairing pairing(directions);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const int found = pairing.partners()[i];
+        if (found < static_cast<int>(i)) continue;  // none, or done
+        const auto other = static_cast<std::size_t>(found);
+        const std::array<EndId, 2> pair{endAt(node.places[i]), endAt(node.places[other])};
+        if (mayBothEnd(lines, node, directions[i], directions[other], size)) {
+          parted_.push_back(pair);
+        } else {
+          join(pair[0], pair[1]);
+        }
+      }
     }
   }
-  return partner;
-}
+  void join(EndId one, EndId other) {
+    of_[one] = other;
+    of_[other] = one;
+  }
+  /// Those that might have ended where they meet, and go on nowhere else, are a corner.
+  void joinParted() {
+    for (const auto& [one, other] : parted_) {
+      if (of_[one] == kNoEnd && of_[other] == kNoEnd) join(one, other);
+    }
+  }
+  const std::vector<EndId>& all() const { return of_; }
+
+ private:
+  std::vector<EndId> of_;
+  std::vector<std::array<EndId, 2>> parted_;
+};
 
 Run runFrom(EndId start) { return start % 2 == 0 ? Run{start / 2, 0, 1} : Run{start / 2, 1, 0}; }
 
@@ -155,8 +177,17 @@ Chain chainThrough(const std::vector<EndId>& partner, std::uint32_t line, std::s
 
 namespace {
 
+LineEnd lineEnd(std::span<const MeasuredLine> lines, EndId end) { return endOf(lines, end / 2, end % 2 == 1); }
+
+/// Whether both ends of an open chain go on behind something, the one into the other.
+bool closesHidden(std::span<const MeasuredLine> lines, const Chain& chain, double size) {
+  const LineEnd last = lineEnd(lines, chain.last), first = lineEnd(lines, chain.first);
+  return goesUnder(lines, last, size) && goesUnder(lines, first, size) &&
+         hiddenWay(last, first).turn <= kMostHiddenTurn;
+}
+
 /// What can hide something: closed lines and chains, and chains that would close by themselves behind others.
-std::vector<Cover> coversOf(std::span<const MeasuredLine> lines, const std::vector<EndId>& partner) {
+std::vector<Cover> coversOf(std::span<const MeasuredLine> lines, const std::vector<EndId>& partner, double size) {
   std::vector<Cover> covers;
   std::vector<bool> used(lines.size(), false);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -169,7 +200,7 @@ std::vector<Cover> coversOf(std::span<const MeasuredLine> lines, const std::vect
       cover.lines.push_back(run.line);
     }
     auto path = pathOf(lines, chain.runs);
-    if (!path || (!chain.closed && path.value().completed.empty())) continue;
+    if (!path || (!chain.closed && !closesHidden(lines, chain, size))) continue;
     cover.outline = std::move(path).value().points;
     covers.push_back(std::move(cover));
   }
@@ -177,22 +208,19 @@ std::vector<Cover> coversOf(std::span<const MeasuredLine> lines, const std::vect
 }
 
 /// Ends that lie on another line and go on behind it get the end at which they come out again.
-void pairHidden(std::span<const MeasuredLine> lines, double size, std::vector<EndId>& partner) {
+void pairHidden(std::span<const MeasuredLine> lines, double size, Partners& partners) {
   for (;;) {
     std::vector<EndId> ids;
     std::vector<LineEnd> ends;
-    for (EndId id = 0; id < partner.size(); ++id) {
-      if (lines[id / 2].closed || partner[id] != kNoEnd) continue;
+    for (EndId id = 0; id < partners.all().size(); ++id) {
+      if (lines[id / 2].closed || partners.all()[id] != kNoEnd) continue;
       ids.push_back(id);
-      ends.push_back(endOf(lines, id / 2, id % 2 == 1));
+      ends.push_back(lineEnd(lines, id));
     }
     if (ends.size() < 2) return;
-    const auto pairs = hiddenPairs(ends, coversOf(lines, partner), size);
+    const auto pairs = hiddenPairs(ends, coversOf(lines, partners.all(), size), size);
     if (pairs.empty()) return;
-    for (const auto& [one, other] : pairs) {
-      partner[ids[one]] = ids[other];
-      partner[ids[other]] = ids[one];
-    }
+    for (const auto& [one, other] : pairs) partners.join(ids[one], ids[other]);
   }
 }
 
@@ -200,8 +228,9 @@ void pairHidden(std::span<const MeasuredLine> lines, double size, std::vector<En
 
 std::vector<Outline> proposeOutlines(std::span<const MeasuredLine> lines, std::span<const Node> nodes) {
   const double size = sizeOf(lines);
-  std::vector<EndId> partner = partnersOf(lines, nodes, size);
-  pairHidden(lines, size, partner);
+  Partners partners(lines, nodes, size);
+  pairHidden(lines, size, partners);
+  partners.joinParted();
   std::vector<Outline> out;
   std::vector<bool> used(lines.size(), false);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
@@ -210,7 +239,7 @@ std::vector<Outline> proposeOutlines(std::span<const MeasuredLine> lines, std::s
       out.push_back({{i, 0, 1}});
       continue;
     }
-    Chain chain = chainThrough(partner, i, lines.size());
+    Chain chain = chainThrough(partners.all(), i, lines.size());
     for (const Run& run : chain.runs) used[run.line] = true;
     if (!chain.closed) {
       const auto from = closedUnder(lines, nodes, chain.last), to = closedUnder(lines, nodes, chain.first);
@@ -249,7 +278,7 @@ void addGap(std::span<const MeasuredLine> lines, const Run& run, const Run& next
     const LineEnd from = endOf(lines, run.line, run.to == 1), to = endOf(lines, next.line, next.from == 1);
     const double size = sizeOf(lines);
     HiddenWay way = hiddenWay(from, to);
-    isHidden = way.turn <= kMostHiddenTurn && isOnOther(lines, from, size) && isOnOther(lines, to, size);
+    isHidden = way.turn <= kMostHiddenTurn && goesUnder(lines, from, size) && goesUnder(lines, to, size);
     if (isHidden) points = std::move(way.points);
   }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {

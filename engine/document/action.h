@@ -168,7 +168,7 @@ struct HideLine {
   LineId line;
   std::vector<descriptive::Stretch> hidden;
 };
-/// Outlines that it was part of close straight; a piece that has no other line of its own goes.
+/// Outlines that it was part of close without it; a piece that has no other line of its own goes.
 struct DeleteLine {
   DrawingId drawing;
   LineId line;

@@ -27,7 +27,8 @@ struct LineRun {
   double from = 0, to = 1;
   bool operator==(const LineRun&) const = default;
 };
-/// A closed outline: each run begins where the one before it ends; gaps close straight.
+/// A closed outline: each run begins where the one before it ends; gaps are closed
+/// (pathOf of descriptive/outlines.h).
 struct LineOutline {
   std::vector<LineRun> runs;
   bool operator==(const LineOutline&) const = default;

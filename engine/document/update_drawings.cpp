@@ -195,7 +195,7 @@ class Encloser {
   Drawing drawing_;
 };
 
-/// A line goes from an outline, which closes straight; whether anything of its own is left. A face needs two edges.
+/// A line goes from an outline, which closes without it; whether anything of its own is left. A face needs two edges.
 bool leaves(LineOutline& outline, LineId line, bool isFace) {
   std::erase_if(outline.runs, [&](const LineRun& run) { return run.line == line; });
   return isFace ? outline.runs.size() > 1 : std::ranges::any_of(outline.runs, isWhole);

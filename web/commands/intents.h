@@ -151,11 +151,11 @@ Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line);
 /// Of bridgesOn the picture in view: who is behind comes to the front there.
 Outcome swapBridge(const CommandEnv& env, int bridge);
 Outcome chooseBridge(const CommandEnv& env, int bridge);
-/// What the pieces among the parts are made of their outlines.
 /// From where right angles of the drawings of these pieces are seen.
 Outcome seeFrom(const CommandEnv& env, const Parts& parts, descriptive::SeenFrom from);
 /// The depth of a place of a line; without one it is free again.
 Outcome pinDepth(const CommandEnv& env, const document::PinDepth& pin);
+/// What the pieces among the parts are made of their outlines.
 Outcome shapePieces(const CommandEnv& env, const Parts& parts, descriptive::PieceKind kind);
 
 // ---- Layers ------------------------------------------------------------------------------------------------------

@@ -57,7 +57,7 @@ class Dots {
           return run.line == pin.line && pin.at >= low && pin.at <= high;
         });
       });
-      if (isOwn) add(pin.line, pin.at, true);
+      if (isOwn) add(pin.line, pin.at, pin.z);
     }
   }
   /// `atCorners`: of faces.
@@ -74,7 +74,7 @@ class Dots {
       const double count = atCorners ? 1 : std::max(1.0, std::round(kDots * lengths[i] / whole));
       for (double k = 0; k < count; ++k) {
         const double way = atCorners ? 0 : (k + 0.5) / count, at = run.from + (run.to - run.from) * way;
-        if (lengths[i] > 0 && !isTaken(run.line, at, atCorners)) add(run.line, at, false);
+        if (lengths[i] > 0 && !isTaken(run.line, at, atCorners)) add(run.line, at, std::nullopt);
       }
     }
   }
@@ -96,13 +96,14 @@ class Dots {
     }
     return high - low;
   }
-  void add(LineId id, double at, bool pinned) {
+  /// `pinned`: the depth that is given; else that of the nearest place of the rim.
+  void add(LineId id, double at, std::optional<double> pinned) {
     const document::DrawnLine* line = document::findLine(drawing_, id);
     if (line == nullptr || solid_.rim.empty()) return;
     const PicturePoint p = Track(*line).at(at);
     const auto away = [&](const ModelPoint& r) { return std::hypot(r.x - p.x, r.y + p.y); };
-    const ModelPoint rim = std::ranges::min(solid_.rim, {}, away);
-    dots_.push_back({drawing_.id, id, at, {p.x, -p.y, rim.z}, {}, pinned});
+    const double z = pinned ? *pinned : std::ranges::min(solid_.rim, {}, away).z;
+    dots_.push_back({drawing_.id, id, at, {p.x, -p.y, z}, {}, pinned.has_value()});
   }
 
   const document::Drawing& drawing_;
@@ -116,7 +117,7 @@ std::vector<DepthDot> dotsOfPiece(const document::Document& document, const pipe
                                   const UiState& ui) {
   const document::Part* part = document::findPart(document, ui.selection);
   const document::ElementRecipe* piece = part ? document::elementOf(*part) : nullptr;
-  if (ui.tool != ToolKind::Lines || piece == nullptr || !part->visible) return {};
+  if (piece == nullptr || !pipeline::isVisible(document, *part)) return {};
   const document::Drawing* drawing = document::findDrawing(document, piece->drawing);
   const document::PictureEntry* entry = document::findPicture(document, piece->picture);
   const descriptive::ModelPiece* solid = solidOf(derived, part->id);

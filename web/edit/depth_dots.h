@@ -18,8 +18,9 @@ struct DepthDot {
   bool pinned = false;  ///< its depth is given
 };
 
-/// Of the selected piece while the tool Lines is in hand: its pins, and free places about kDots to an outline, of a
-/// piece with edges its corners. None where it is seen from the front: there depth has no length.
+/// Of the selected piece while the tool Lines is in hand: its pins, and free places about kDots to an outline and
+/// one at least to a run, of a piece with edges its corners. None where it is seen from the front: there depth has no
+/// length.
 std::vector<DepthDot> dotsOfPiece(const document::Document& document, const pipeline::Derived& derived,
                                   const UiState& ui);
 /// The same, which asks for nothing of the second program (SECOND_OBJECTS of web/CMakeLists.txt) without need.

@@ -42,6 +42,17 @@ const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, Part
   return own == derived.drawings.end() ? nullptr : &*own;
 }
 
+/// Of a piece with edges its own, else that of right angles, else that of the first piece with edges.
+std::optional<ModelPoint> upOf(const pipeline::DerivedDrawing& drawing, PartId piece) {
+  const descriptive::Model& model = drawing.shape->model;
+  std::optional<ModelPoint> first;
+  for (const descriptive::ModelPiece& solid : model.solids) {
+    if (drawing.pieces[solid.piece] == piece && solid.up) return solid.up;
+    if (!first) first = solid.up;
+  }
+  return model.up ? model.up : first;
+}
+
 bool isShown(const document::Document& document, PartId id) {
   const document::Part* part = document::findPart(document, id);
   return part != nullptr && pipeline::isVisible(document, *part);
@@ -167,9 +178,10 @@ std::optional<geometry::Turn> turnUpright(const document::Document& document, co
   const document::Part* part = document::findPart(document, piece);
   const document::PictureEntry* entry = part ? document::findPicture(document, document::pictureOf(*part)) : nullptr;
   const pipeline::DerivedDrawing* own = drawingOf(derived, piece);
-  if (entry == nullptr || own == nullptr || !own->shape->model.up) return std::nullopt;
+  const std::optional<ModelPoint> up = own ? upOf(*own, piece) : std::nullopt;
+  if (entry == nullptr || !up) return std::nullopt;
   const pipeline::Copies copies = pipeline::copiesInWorld(part->placement, {}, entry->size);
-  const geometry::Turn turn = geometry::turnTo(copies.begin()->along(*own->shape->model.up), WorldPoint{0, 1, 0});
+  const geometry::Turn turn = geometry::turnTo(copies.begin()->along(*up), WorldPoint{0, 1, 0});
   return turn.w < std::cos(kUpright / 2) ? std::optional(turn) : std::nullopt;
 }
 

@@ -87,9 +87,14 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.revision = ++ui.previewShapes;
 }
 
-void growSolid(const UiState& ui, Studio& studio) {
-  if (ui.inHand.pin) {
-    studio.previewAction(*ui.inHand.pin);
+void growSolid(UiState& ui, Studio& studio, const platform::Host& host) {
+  InHand& hand = ui.inHand;
+  if (hand.pin) {
+    const double now = host.nowMs();
+    if (hand.pinShown || now < hand.pinNextMs) return;
+    studio.previewPinned(*hand.pin);
+    hand.pinShown = true;
+    hand.pinNextMs = host.nowMs() + (host.nowMs() - now) * (1 / kPreviewShare - 1);
   } else if (!ui.placing.empty()) {
     studio.previewPlaced({ui.placing});
   } else if (!ui.preview || !ui.preview->part || !ui.preview->shape) {

@@ -24,7 +24,7 @@ document::Region regionOfLine(PictureId picture, std::vector<PicturePoint> line,
 void growPreview(UiState& ui, Studio& studio, const platform::Host& host);
 /// A gesture on a part of a solid changes the solid, as far as the solver keeps up; one on the depth of a line drawing
 /// changes all its pieces.
-void growSolid(const UiState& ui, Studio& studio);
+void growSolid(UiState& ui, Studio& studio, const platform::Host& host);
 /// From now on a preview of a standing part is not taken where the part would go through itself, unless it does
 /// already.
 void guardPreview(UiState& ui, const document::Document& document, const pipeline::Derived& derived);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "engine/base/hash.h"
+#include "engine/document/pieces.h"
 #include "engine/document/update.h"
+#include "engine/pipeline/drawing_shape.h"
 #include "engine/vision/edges.h"
 #include "web/model/messages.h"
 #include "web/model/solid_faults.h"
@@ -194,15 +197,27 @@ void Derivation::previewPlaced(const document::PlaceParts& places) {
   }
 }
 
-void Derivation::previewAction(const document::Action& action) {
-  const Result<document::Document> next = document::update(document(), action);
-  if (!next) return;
+void Derivation::previewPinned(const document::PinDepth& pin) {
+  const Result<document::Document> next = document::update(document(), pin);
+  const document::Drawing* drawing = next ? document::findDrawing(next.value(), pin.drawing) : nullptr;
+  if (drawing == nullptr) return;
+  // Not through the cache: what a drag passes over would push out what the document needs.
+  const document::PlainDrawing plain = document::plainDrawing(next.value(), *drawing);
+  const auto solved = std::make_shared<const pipeline::DrawingShape>(pipeline::drawingStage(plain.drawing));
+  if (solved->failure) return;
   shown();
-  pipeline::Derived now =
-      pipeline::derive(next.value(), cache_, [this] { return host_.nowMs(); }, pipeline::Finish::Later);
-  keepEarlierTextures(derived_, now);
-  now.steps = derived_.steps;
-  preview_ = std::move(now);
+  preview_ = derived_;
+  for (pipeline::DerivedDrawing& one : preview_->drawings) {
+    if (one.id == pin.drawing) one.shape = solved;
+  }
+  for (std::size_t i = 0; i < plain.pieces.size(); ++i) {
+    const auto part = std::ranges::find(preview_->parts, plain.pieces[i], &pipeline::DerivedPart::id);
+    if (part == preview_->parts.end() || !part->shape) continue;
+    auto shape = std::make_shared<pipeline::PartShape>(*part->shape);
+    if (!pipeline::elementStage(*solved, i, *shape)) continue;
+    shape->key = ShapeKey{Hasher().text("pinned").number(part->shape->key.hash).number(pin.z.value_or(0)).value()};
+    part->shape = std::move(shape);
+  }
   if (!next.value().steps.empty()) solids_.preview(next.value(), *preview_, nullptr);
 }
 

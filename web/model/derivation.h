@@ -40,7 +40,7 @@ class Derivation {
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
   void previewSolid(const publish::Substitute& instead);
   void previewPlaced(const document::PlaceParts& places);
-  void previewAction(const document::Action& action);
+  void previewPinned(const document::PinDepth& pin);
   void endPreview();
   void expectEdit(PartId part);
   bool takeSolid(const Json& answer, std::span<const std::uint8_t> bytes);

@@ -78,8 +78,8 @@ class Studio {
   void previewSolid(const publish::Substitute& instead) { derivation_.previewSolid(instead); }
   /// The same while parts are being placed.
   void previewPlaced(const document::PlaceParts& places) { derivation_.previewPlaced(places); }
-  /// Parts and solids as they would be after this action; nothing where it cannot be done.
-  void previewAction(const document::Action& action) { derivation_.previewAction(action); }
+  /// The pieces of a line drawing, and the solids they are in, as they would be with this depth.
+  void previewPinned(const document::PinDepth& pin) { derivation_.previewPinned(pin); }
   /// Back to what follows from the document, after a preview.
   void endPreview() { derivation_.endPreview(); }
   /// Asks once more for solids that failed or were cancelled.

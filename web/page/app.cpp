@@ -180,7 +180,7 @@ void App::frame() {
   reportWaitingPrint();
   growBoard(ui_, studio_.document());
   growPreview(ui_, studio_, host_);
-  growSolid(ui_, studio_);
+  growSolid(ui_, studio_, host_);
   frameNewPart();
   fly();
   fadeFlash();

@@ -25,6 +25,7 @@ void PinTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (!watch_.moved() || !dot_ || !(unit2 > 0)) return;
   const double by = dot(event.at - watch_.start(), unit_) / unit2;
   env.ui.inHand.pin = document::PinDepth{dot_->drawing, dot_->line, dot_->at, dot_->where.z + by};
+  env.ui.inHand.pinShown = false;
 }
 
 void PinTool::commit(const ToolEnv& env) {

@@ -208,6 +208,8 @@ struct InHand {
   std::optional<ribs::EndRef> end;        ///< the one that is dragged
   int depth = -1;                         ///< the handle or dot of the depth that is dragged
   std::optional<document::PinDepth> pin;  ///< what that dot would be if the gesture ended now
+  bool pinShown = false;                  ///< by the pieces
+  double pinNextMs = 0;                   ///< not before this time are they made anew
 };
 
 /// How the tools work; lasts until it is changed.

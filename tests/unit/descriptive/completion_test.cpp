@@ -186,6 +186,7 @@ TEST_CASE("legs that end at a body go on behind it, each for itself") {
   for (const auto& way : made.model.completed) {
     for (std::size_t i = 1; i + 1 < way.size(); ++i) CHECK(distance(way[i], PicturePoint{500, 400}) < 200.5);
   }
+  REQUIRE(made.model.orders.orders.size() == 2);
   for (const Order& order : made.model.orders.orders) {
     CHECK(order.over == 0);
     CHECK(order.from == OrderFrom::Drawn);
@@ -213,6 +214,38 @@ TEST_CASE("the handle of a mug is a bent bar behind it, and a band in front of a
   const Made band = madeOf({ball({500, 500}, 200), open({{310, 440}, {500, 470}, {690, 440}})});
   CHECK(band.model.completed.empty());
   CHECK(band.model.pieces.size() == 2);
+}
+
+TEST_CASE("a leaf of two strokes whose root lies on another line is a piece, on an open stem and on a closed trunk") {
+  const std::vector<PicturePoint> stem{{100, 900}, {350, 600}, {600, 300}};
+  const Made open_ =
+      madeOf({open(stem), open({{350, 600}, {480, 610}, {600, 560}}), open({{350, 600}, {500, 520}, {600, 560}})});
+  REQUIRE(open_.model.pieces.size() == 1);
+  CHECK(open_.linesOf == std::vector<std::size_t>{2});
+  for (int k = 0; k < 12; ++k) {
+    // Also where rounding puts the root on either side of the edge.
+    const double angle = kTwoPi * (k + 0.37) / 200;
+    const PicturePoint way{std::cos(angle), std::sin(angle)}, side{-way.y, way.x};
+    const PicturePoint root = PicturePoint{400, 500} + way * (200 * std::cos(kTwoPi / 400));
+    const Made trunk = madeOf({ball({400, 500}, 200), open({root, root + way * 130 + side * 50, root + way * 250}),
+                               open({root, root + way * 130 - side * 50, root + way * 250})});
+    CAPTURE(k);
+    CHECK(trunk.linesOf == std::vector<std::size_t>{1, 2});
+  }
+}
+
+TEST_CASE("an edge that is deleted between corners on other lines leaves a straight gap where nothing hides it") {
+  std::vector<Line> lines{{testing::rectangle(100, 100, 300, 600), {}, true},
+                          open({{300, 200}, {600, 200}}),
+                          open({{600, 500}, {300, 500}})};
+  Drawing drawing{{1000, 1000}, lines, {}, {}, {}, {}};
+  // Both lead away from the frame on their left; on their right there is nothing.
+  drawing.pieces = {{"", PieceKind::Flat, {{{1, 0, 1}, {2, 0, 1}}}, 1, 1, 1, 0}};
+  const auto made = modelOf(drawing);
+  REQUIRE(made.ok());
+  for (const auto& contour : made.value().solids[0].region) {
+    for (const PicturePoint p : contour) CHECK(p.x <= 600.01);
+  }
 }
 
 TEST_CASE("a free end, and one that ends inside something, hide nothing") {
