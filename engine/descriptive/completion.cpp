@@ -58,15 +58,16 @@ Cubic cubicOf(const LineEnd& from, const LineEnd& to, double handle, double othe
 Cubic bentAlike(const LineEnd& from, const LineEnd& to, const Between& between) {
   const Handle near = handleOf(between, between.far), far = handleOf(between, between.near);
   double one = near.own, other = far.own;
-  const double c = norm(between.chord), side = between.near < 0 ? -1 : 1;
   const bool isArc = between.near * between.far > 0;
+  if (!isArc) return cubicOf(from, to, one, other);
+  const double c = norm(between.chord), side = between.near < 0 ? -1 : 1;
   // A cubic bends less at its ends than the arc of a circle that it stands for.
   const double even = near.even / c, half = std::min(between.turn(), kMostHiddenTurn) / 2;
   const double share = (1 - 2 * even * std::cos(half)) / (3 * even * even);
   const double bend = side * from.bend * share, otherBend = -side * to.bend * share;
-  for (int round = 0; round < kRounds && isArc; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const Cubic now = cubicOf(from, to, one, other);
-    // Twice the area under the handle, by its length: how far the third point is off the tangent.
+    // How far the third point is off the tangent.
     const double off = std::abs(cross(from.along, now[2] - now[0])),
                  otherOff = std::abs(cross(to.along, now[1] - now[3]));
     if (bend * c > kLeastBend) one = near.within(std::sqrt(2.0 / 3 * off / bend));

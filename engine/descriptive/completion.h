@@ -32,7 +32,8 @@ struct HiddenWay {
 /// The cubic that goes on along both ends. Between ends of an arc of a circle it is the rest of the circle (within 2 %
 /// of its radius up to half of it), and so it is of an ellipse where both ends are alike: the handles, of length
 /// ⅔ c tan(θ/4) sin β / sin²(θ/2) with c the distance of the ends, θ the turn and β the angle at the other end, go
-/// with the picture when it is stretched.
+/// with the picture when it is stretched. A handle is then made longer or shorter, within bounds, so that the way bends
+/// at its end as the line does, where that can be measured.
 HiddenWay hiddenWay(const LineEnd& from, const LineEnd& to);
 
 /// What can hide something.

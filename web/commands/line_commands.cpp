@@ -140,9 +140,7 @@ void seenChoices(Env env, JsonWriter& json) {
   const document::Part* part = partOf(env, {});
   const document::ElementRecipe* own = part ? document::elementOf(*part) : nullptr;
   const document::Drawing* drawing = own ? document::findDrawing(env.studio.document(), own->drawing) : nullptr;
-  for (const auto& [from, label] :
-       {std::pair{descriptive::SeenFrom::Above, "From above"}, std::pair{descriptive::SeenFrom::Below, "From below"},
-        std::pair{descriptive::SeenFrom::Unknown, "No right angles"}}) {
+  for (const auto& [from, label] : kSeenWords) {
     writeChoice(json, io::keyOf(from), label, drawing != nullptr && drawing->seenFrom == from);
   }
 }

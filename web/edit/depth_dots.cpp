@@ -7,6 +7,7 @@
 
 #include "engine/document/pieces.h"
 #include "engine/geometry/polyline.h"
+#include "web/edit/line_drawing.h"
 #include "web/edit/placing.h"
 
 namespace spineloft::app {
@@ -20,16 +21,13 @@ constexpr double kBesidePin = 0.05;
 constexpr double kOneCorner = 0.02;
 
 /// What is derived of the piece; null without it.
-const descriptive::ModelPiece* solidOf(const pipeline::Derived& derived, PartId id) {
-  for (const pipeline::DerivedDrawing& drawing : derived.drawings) {
-    const auto at = std::ranges::find(drawing.pieces, id);
-    if (at == drawing.pieces.end() || !drawing.shape) continue;
-    const auto number = static_cast<std::uint32_t>(at - drawing.pieces.begin());
-    const auto& solids = drawing.shape->model.solids;
-    const auto solid = std::ranges::find(solids, number, &descriptive::ModelPiece::piece);
-    if (solid != solids.end()) return &*solid;
-  }
-  return nullptr;
+const descriptive::ModelPiece* solidOf(const pipeline::Derived& derived, PartId piece) {
+  const pipeline::DerivedDrawing* drawing = drawingOf(derived, piece);
+  if (drawing == nullptr) return nullptr;
+  const auto& solids = drawing->shape->model.solids;
+  const auto solid = std::ranges::find_if(
+      solids, [&](const descriptive::ModelPiece& one) { return drawing->pieces[one.piece] == piece; });
+  return solid == solids.end() ? nullptr : &*solid;
 }
 
 /// A line that is measured to place dots on it.

@@ -34,14 +34,6 @@ void forDrawings(const document::Document& document, const pipeline::Derived& de
   }
 }
 
-/// What is derived of the drawing of a piece; null without it.
-const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, PartId piece) {
-  const auto own = std::ranges::find_if(derived.drawings, [&](const pipeline::DerivedDrawing& one) {
-    return one.shape && std::ranges::count(one.pieces, piece) > 0;
-  });
-  return own == derived.drawings.end() ? nullptr : &*own;
-}
-
 /// Of a piece with edges its own, else that of right angles, else that of the first piece with edges.
 std::optional<ModelPoint> upOf(const pipeline::DerivedDrawing& drawing, PartId piece) {
   const descriptive::Model& model = drawing.shape->model;
@@ -171,6 +163,13 @@ std::string bridgeSentence(const document::Document& document, const Bridge& bri
   if (over == nullptr || under == nullptr) return {};
   return std::string(words::tr("{front} is in front of {back} here.",
                                {{"front", words::nameOf(over->name)}, {"back", words::nameOf(under->name)}}));
+}
+
+const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, PartId piece) {
+  const auto own = std::ranges::find_if(derived.drawings, [&](const pipeline::DerivedDrawing& one) {
+    return one.shape && std::ranges::count(one.pieces, piece) > 0;
+  });
+  return own == derived.drawings.end() ? nullptr : &*own;
 }
 
 std::optional<geometry::Turn> turnUpright(const document::Document& document, const pipeline::Derived& derived,

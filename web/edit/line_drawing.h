@@ -2,6 +2,7 @@
 // under the pen meets those that are there.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,12 +25,23 @@ std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline
 /// "Leg is in front of Body", in the visitor's language.
 std::string bridgeSentence(const document::Document& document, const Bridge& bridge);
 
+/// What is derived of the drawing of a piece; null without it.
+const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, PartId piece);
+
 /// The turn after which a piece and all of its drawing stand upright in the world. None: for another part, where right
 /// angles say nothing (descriptive::Model::up), and where it stands upright.
 std::optional<geometry::Turn> turnUpright(const document::Document& document, const pipeline::Derived& derived,
                                           PartId piece);
 
-/// From where right angles of a piece's drawing are seen. None: for another part, and where there are none.
+/// From where right angles can be seen, in words.
+struct SeenWords {
+  descriptive::SeenFrom from;
+  const char* words;
+};
+inline constexpr std::array kSeenWords = {SeenWords{descriptive::SeenFrom::Above, "From above"},
+                                          SeenWords{descriptive::SeenFrom::Below, "From below"},
+                                          SeenWords{descriptive::SeenFrom::Unknown, "No right angles"}};
+/// From where those of a piece's drawing are seen. None: for another part, and where there are none.
 std::optional<descriptive::SeenFrom> seenFrom(const document::Document& document, const pipeline::Derived& derived,
                                               PartId piece);
 

@@ -195,7 +195,7 @@ void App::frame() {
 
 bool App::moving() const {
   return ui_.flight || (ui_.solids.flash && ui_.solids.flash->sinceMs) || (ui_.preview && !ui_.preview->settled()) ||
-         studio_.works();
+         (ui_.inHand.pin && !ui_.inHand.pinShown) || studio_.works();
 }
 
 void App::layOutPanels() {

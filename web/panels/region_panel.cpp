@@ -171,11 +171,8 @@ void regionPanel(const PanelEnv& env, const document::Part& part, float width) {
       }
     }
     if (const auto seen = app::seenFrom(env.document(), env.derived, part.id)) {
-      using descriptive::SeenFrom;
       WordButtons ways(env, width);
-      for (const auto& [from, text] :
-           {std::pair{SeenFrom::Above, "From above"}, std::pair{SeenFrom::Below, "From below"},
-            std::pair{SeenFrom::Unknown, "No right angles"}}) {
+      for (const auto& [from, text] : app::kSeenWords) {
         if (ways.button(text, text, *seen == from) && *seen != from) {
           env.sink.run(app::seeFrom, app::selectedParts(env.document(), env.ui()), from);
         }
