@@ -27,8 +27,8 @@ struct OutlinePath {
 };
 
 /// With a point at every point of its lines and where hidden stretches begin and end. A gap between two ends that
-/// go under other lines (goesUnder) is closed by the way hidden behind them (hiddenWay), every other gap straight. Errors:
-/// ValueOutOfRange (a line that is not there, shares outside of 0…1), RegionEmpty (fewer than three points).
+/// go under other lines (goesUnder) is closed by the way hidden behind them (hiddenWay), every other gap straight.
+/// Errors: ValueOutOfRange (a line that is not there, shares outside of 0…1), RegionEmpty (fewer than three points).
 Result<OutlinePath> pathOf(std::span<const MeasuredLine> lines, const Outline& outline);
 
 }  // namespace spineloft::descriptive
