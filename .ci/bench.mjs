@@ -214,7 +214,7 @@ async function accuracy(data, withAblation) {
 await mainProgram(async () => {
   const { json, markdown: page, data, ablation } = options();
   talkOnStderr();
-  await setup(['native', 'wasm', 'node', 'browser']);
+  await setup(['native', 'wasm', 'opencv', 'node', 'browser']);
   await buildTargets('native-release', ['spineloft_accuracy', 'spineloft_bench']);
   await buildTargets('wasm-release', ['spineloft_bench', 'spineloft_bench_single']);
   await buildSite();

@@ -27,7 +27,7 @@ export async function buildSite() {
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   await mainProgram(async () => {
-    await setup(['wasm', 'node']);
+    await setup(['wasm', 'opencv', 'node']);
     await buildSite();
     printSizes();
   });

@@ -101,7 +101,7 @@ async function shoot(page) {
 
 await mainProgram(async () => {
   if (!dataFolder) throw new Stop('There is no data folder beside the project: set SPINELOFT_DATA.');
-  await setup(['native', 'wasm', 'node', 'browser']);
+  await setup(['native', 'wasm', 'opencv', 'node', 'browser']);
   await buildSite();
   await buildTargets('native-release', ['spineloft_accuracy', 'spineloft']);
   const folder = mkdtempSync(join(tmpdir(), 'spineloft-figures-'));

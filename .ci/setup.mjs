@@ -10,7 +10,7 @@ import { compileNativeModules } from './lib/native_modules.mjs';
 import { installNodePackages } from './lib/node_packages.mjs';
 import { buildDir, cacheDir, lock } from './lib/paths.mjs';
 import { duration, logFile, mainProgram, say } from './lib/run.mjs';
-import { headers, imguiSources, opencv, toolchainFile } from './lib/libraries.mjs';
+import { headers, imguiSources, makeOpencv, opencvFolder, toolchainFile } from './lib/libraries.mjs';
 
 function writeIfChanged(file, text) {
   if (!existsSync(file) || readFileSync(file, 'utf8') !== text) writeFileSync(file, text);
@@ -44,11 +44,12 @@ async function findFacts(parts) {
   const facts = { CACHE_DIR: cacheDir, DEPS_INCLUDE: await headers(), IMGUI_DIR: await imguiSources() };
   if (!parts.includes('wasm')) return facts;
   const emscripten = await findEmscripten();
+  if (parts.includes('opencv')) await makeOpencv(emscripten);
   return {
     ...facts,
     EMSCRIPTEN_ROOT: emscripten,
     EMSCRIPTEN_TOOLCHAIN: toolchainFile(emscripten),
-    OPENCV_WASM_DIR: await opencv(emscripten),
+    OPENCV_WASM_DIR: opencvFolder,
     WASM_FLAGS: lock.wasmFlags,
   };
 }
@@ -60,11 +61,11 @@ async function all(promises) {
 }
 
 /**
- * Prepares the machine for the given parts: native, wasm, browser, node (npm packages), database (PostgreSQL for tests of
- * the share server), readers (programs that some tests have read what was saved, where they can be installed).
- * Parts that were prepared before for this checkout stay prepared.
+ * Prepares the machine for the given parts: native, wasm (with opencv: for programs that cut out, too), browser, node (npm
+ * packages), database (PostgreSQL for tests of the share server), readers (programs that some tests have read what was
+ * saved, where they can be installed). Parts that were prepared before for this checkout stay prepared.
  */
-export async function setup(parts = ['native', 'wasm', 'browser', 'node']) {
+export async function setup(parts = ['native', 'wasm', 'opencv', 'browser', 'node']) {
   const started = Date.now();
   mkdirSync(buildDir, { recursive: true });
   rmSync(logFile('setup'), { force: true });

@@ -7,7 +7,7 @@ import { buildTargets } from './lib/cmake.mjs';
 import { distDir } from './lib/paths.mjs';
 import { mainProgram, say, Stop } from './lib/run.mjs';
 import { serveFolder } from './lib/server.mjs';
-import { assembleSite, enginePrograms, laterPath, siteTargets } from './lib/site.mjs';
+import { assembleSite, laterPath, siteParts, siteTargets } from './lib/site.mjs';
 import { setup } from './setup.mjs';
 
 function options() {
@@ -60,24 +60,33 @@ async function certificate(names) {
 }
 
 /**
- * Builds the engine that this server's pages ask for first, and a site around it; then, behind it, the other engine and
- * the compressed twins. A page that asks for the other one meanwhile waits. `serve(later)` is called in between.
+ * Builds the engine that this server's pages ask for first, and a site around it; then, behind it, OpenCV and the search
+ * for cut-outs, the other engine and the compressed twins. A page that asks for one of these meanwhile waits.
+ * `serve(later)` is called in between.
  */
 async function buildAndServe(first, serve) {
-  const second = Object.keys(enginePrograms).find((engine) => engine !== first);
   await buildTargets('wasm-release', siteTargets([first]));
-  await assembleSite({ engines: [first], twins: false });
+  await assembleSite({ parts: [first], twins: false });
   let begin;
-  const rest = new Promise((resolve) => (begin = resolve)).then(async () => {
-    await buildTargets('wasm-release', siteTargets([second]));
+  const cutOut = new Promise((resolve) => (begin = resolve)).then(async () => {
+    await setup(['wasm', 'opencv', 'node']);
+    await buildTargets('wasm-release', siteTargets(['cutOut']));
+    return assembleSite({ parts: [first, 'cutOut'], keep: true, twins: false });
+  });
+  const rest = cutOut.then(async () => {
+    await buildTargets('wasm-release', siteTargets());
     return assembleSite({ keep: true });
   });
-  const site = await serve(new Map([[laterPath(second), rest.then((whole) => whole[second].js).catch(() => null)]]));
+  const pathIn = (site, part) => site.then((made) => made[part].js ?? made[part]).catch(() => null);
+  const later = siteParts
+    .filter((part) => part !== first)
+    .map((part) => [laterPath(part), pathIn(part === 'cutOut' ? cutOut : rest, part)]);
+  const site = await serve(new Map(later));
   begin();
   let ended = false;
   process.on('spineloft-stop', () => (ended = true));
   rest.then(
-    () => say('The other engine and the compressed files are there too.'),
+    () => say('Cut-outs, the other engine and the compressed files are there too.'),
     (error) => ended || say(`\nThe page works, but the rest of the site could not be built: ${error.message}`),
   );
   return site;

@@ -134,6 +134,9 @@ async function page(env) {
   }
 }
 
+/** What every build for WebAssembly needs here. */
+const kWasm = ['wasm', 'opencv'];
+
 const kBuilds = {
   native: { needs: ['native'], build: (env) => buildTargets('native-release', [nativeTests(env), 'spineloft']) },
   command: {
@@ -142,10 +145,10 @@ const kBuilds = {
   },
   asan: { needs: ['native'], build: () => buildTargets('native-asan', ['spineloft_tests']) },
   wasm: {
-    needs: ['wasm'],
+    needs: kWasm,
     build: () => buildTargets('wasm-release', ['spineloft_tests', 'spineloft_tests_single', 'spineloft_bench_single']),
   },
-  site: { needs: ['wasm', 'node'], build: buildSite },
+  site: { needs: [...kWasm, 'node'], build: buildSite },
 };
 
 // In the order in which they begin: each waits for its builds, and builds go before tests.
@@ -220,8 +223,8 @@ function startBuilds(names, env) {
     ...wanted.flatMap((name) => kBuilds[name].needs),
   ]);
   const compilers = needs.has('native') ? setup(['native']) : Promise.resolve();
-  const first = compilers.then(() => setup([...needs].filter((part) => part !== 'wasm')));
-  const second = needs.has('wasm') ? first.then(() => setup(['wasm'])) : first;
+  const first = compilers.then(() => setup([...needs].filter((part) => !kWasm.includes(part))));
+  const second = needs.has('wasm') ? first.then(() => setup(kWasm)) : first;
   const builds = wanted.map((name) => {
     const { needs: parts, build } = kBuilds[name];
     const ready = parts.includes('wasm') ? second : parts.every((part) => part === 'native') ? compilers : first;

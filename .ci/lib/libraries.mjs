@@ -3,7 +3,7 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { cached } from './cache.mjs';
 import { pinnedSuite } from './debian.mjs';
-import { lock, root, shortHash } from './paths.mjs';
+import { cacheDir, lock, root, shortHash } from './paths.mjs';
 import { output, run, Stop } from './run.mjs';
 
 const kRecipe = 1;
@@ -67,17 +67,24 @@ export async function imguiSources() {
   });
 }
 
-/** OpenCV as .ci/opencv/CMakeLists.txt makes it: what the cut-outs reach. */
-export async function opencv(emscripten) {
-  const project = join(root, '.ci/opencv');
-  const recipe = readFileSync(join(project, 'CMakeLists.txt'), 'utf8');
+const kOpencvProject = join(root, '.ci/opencv');
+
+function opencvName() {
+  const recipe = readFileSync(join(kOpencvProject, 'CMakeLists.txt'), 'utf8');
   const key = shortHash([lock.sources.opencv, lock.emscripten.version, flags, recipe, kRecipe]);
-  const name = `opencv-${lock.sources.opencv.version}-wasm-${key}`;
+  return `opencv-${lock.sources.opencv.version}-wasm-${key}`;
+}
+
+/** Where OpenCV for WebAssembly is once it is made. */
+export const opencvFolder = join(cacheDir, opencvName());
+
+/** OpenCV as .ci/opencv/CMakeLists.txt makes it: what the cut-outs reach. */
+export async function makeOpencv(emscripten) {
   const what = {
     what: `OpenCV ${lock.sources.opencv.version} for WebAssembly`,
     howLong: 'a 78 MB download, about 1 minute on two cores',
   };
-  return cached(name, what, async (folder) => {
+  return cached(opencvName(), what, async (folder) => {
     const source = await unpackSource(folder, 'opencv', ['modules/core', 'modules/imgproc']);
     const binary = join(folder, 'binary');
     const settings = {
@@ -87,7 +94,7 @@ export async function opencv(emscripten) {
       SPINELOFT_OPENCV_SOURCE: source,
     };
     const defines = Object.entries(settings).map(([key, value]) => `-D${key}=${value}`);
-    await run('configuring OpenCV', 'cmake', ['-G', 'Ninja', '-S', project, '-B', binary, ...defines]);
+    await run('configuring OpenCV', 'cmake', ['-G', 'Ninja', '-S', kOpencvProject, '-B', binary, ...defines]);
     await run('compiling OpenCV', 'cmake', ['--build', binary]);
     await run('installing OpenCV into the cache', 'cmake', ['--install', binary]);
     rmSync(binary, { recursive: true });

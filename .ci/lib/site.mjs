@@ -64,29 +64,36 @@ function replaceName(text, from, to) {
 }
 
 /** The programs of the page's two engines. */
-export const enginePrograms = { threads: 'spineloft_web', single: 'spineloft_web_single' };
+const kEngines = { threads: 'spineloft_web', single: 'spineloft_web_single' };
 
-/** What CMake builds for a site with these engines. */
-export const siteTargets = (engines = Object.keys(enginePrograms)) => [
+/** The parts of a site that it can be put together without: its engines, one of which is needed, and the search for cut-outs. */
+export const siteParts = [...Object.keys(kEngines), 'cutOut'];
+
+/** What CMake builds for a site with these parts. */
+export const siteTargets = (parts = siteParts) => [
   'spineloft_self_crossing',
-  'spineloft_cut_out',
-  ...engines.map((engine) => enginePrograms[engine]),
+  ...parts.map((part) => kEngines[part] ?? 'spineloft_cut_out'),
 ];
 
-/** Where a page asks for an engine that was not linked when the page was put together; the server lets it wait. */
-export const laterPath = (engine) => `assets/spineloft-${engine}-later.js`;
+/** Where a page asks for a part that was not linked when the page was put together; the server lets it wait. */
+export const laterPath = (part) => `assets/spineloft-${part}-later`;
+
+/** Where CMake puts what it links for the page. */
+const kLinked = join(presetDir('wasm-release'), 'web');
+
+/** Copies a file that was built to the assets under a hashed name. */
+function putBuilt(folder, file, as) {
+  if (!existsSync(file)) throw new Stop(`${basename(file)} is not built.`);
+  const bytes = readFileSync(file);
+  return put(folder, join('assets', hashedName(as, bytes)), bytes);
+}
 
 /** Copies one engine under hashed names; the loader's own references follow. Returns the loader's path. */
 function putEngine(folder, engine) {
-  const name = enginePrograms[engine];
-  const place = join(presetDir('wasm-release'), 'web');
-  if (!existsSync(join(place, `${name}.js`))) throw new Stop(`${name}.js is not built.`);
-  const putProgram = (file, as) => {
-    const bytes = readFileSync(join(place, file));
-    return put(folder, join('assets', hashedName(as, bytes)), bytes);
-  };
-  const wasm = putProgram(`${name}.wasm`, `spineloft-${engine}.wasm`);
-  const second = putProgram(`${name}_second.wasm`, `spineloft-${engine}-second.wasm`);
+  const name = kEngines[engine];
+  const place = kLinked;
+  const wasm = putBuilt(folder, join(place, `${name}.wasm`), `spineloft-${engine}.wasm`);
+  const second = putBuilt(folder, join(place, `${name}_second.wasm`), `spineloft-${engine}-second.wasm`);
   const named = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, basename(wasm));
   const loader = replaceName(named, kSecond, basename(second));
   const loaderName = hashedName(`spineloft-${engine}.js`, loader);
@@ -156,9 +163,9 @@ const sheetsThatFollow = {
 };
 
 /** The engine's test for meshes that go through themselves, which the worker of solids loads. */
-export const selfCrossingFile = join(presetDir('wasm-release'), 'web/spineloft_self_crossing.wasm');
+export const selfCrossingFile = join(kLinked, 'spineloft_self_crossing.wasm');
 /** What the worker that cuts out loads. */
-export const cutOutFile = join(presetDir('wasm-release'), 'web/spineloft_cut_out.wasm');
+export const cutOutFile = join(kLinked, 'spineloft_cut_out.wasm');
 
 /** Bundles the entry points; the files that were read are added to `read`. */
 async function bundle(folder, read, entryPoints, define, place = { outdir: 'assets', entryNames: '[name]-[hash]' }) {
@@ -188,7 +195,7 @@ async function bundle(folder, read, entryPoints, define, place = { outdir: 'asse
         '.glsl': 'text',
       },
       define: { 'process.env.NODE_ENV': '"production"', ...define },
-      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile, 'spineloft/cut_out.wasm': cutOutFile },
+      alias: { 'spineloft/self_crossing.wasm': selfCrossingFile },
       // manifold-3d asks for it where it runs in Node alone.
       external: ['node:module'],
       plugins: [smallFonts, sheetsThatFollow],
@@ -301,33 +308,34 @@ export function siteSizes(folder = distDir) {
 }
 
 /**
- * Assembles dist/ from the linked `engines`, web/shell and assets/; the old site stays until the new one is whole. With
- * `keep` its files stay in the new one too, for pages that are open; `twins`: with compressed ones. Returns what the page
- * is told of the site.
+ * Assembles dist/ from those of its `parts` that are linked, web/shell and assets/; the old site stays until the new one
+ * is whole. With `keep` its files stay in the new one too, for pages that are open; `twins`: with compressed ones. Returns
+ * what the page is told of the site.
  */
-export async function assembleSite({ engines = Object.keys(enginePrograms), keep = false, twins = true } = {}) {
+export async function assembleSite({ parts = siteParts, keep = false, twins = true } = {}) {
   const shell = join(root, 'web/shell');
   const fresh = join(buildDir, 'site');
   rmSync(fresh, { recursive: true, force: true });
   mkdirSync(fresh, { recursive: true });
   const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
   const assets = putAssets(fresh);
-  const isWhole = engines.length === Object.keys(enginePrograms).length;
+  const isWhole = parts.length === siteParts.length;
   const site = {
     version,
     ...Object.fromEntries(
-      Object.keys(enginePrograms).map((engine) => [
+      Object.keys(kEngines).map((engine) => [
         engine,
-        engines.includes(engine) ? putEngine(fresh, engine) : { js: laterPath(engine), wasm: '', second: '' },
+        parts.includes(engine) ? putEngine(fresh, engine) : { js: laterPath(engine), wasm: '', second: '' },
       ]),
     ),
+    cutOut: parts.includes('cutOut') ? putBuilt(fresh, cutOutFile, 'spineloft_cut_out.wasm') : laterPath('cutOut'),
     assets,
     workers: {},
     speaker: '',
     viewer: {},
     serverSide: '',
     scripts: await putScripts(fresh),
-    // A site with an engine to come is not worth storing.
+    // A site with a part to come is not worth storing.
     serviceWorker: isWhole ? kServiceWorker : '',
   };
   const read = [];
@@ -362,7 +370,8 @@ export async function assembleSite({ engines = Object.keys(enginePrograms), keep
     const define = { SPINELOFT_FILES: JSON.stringify(files) };
     await bundle(fresh, read, ['web/shell/offline/service_worker.ts'], define, { outdir: '.', entryNames: '[name]' });
   }
-  checkLicences(['spineloft_cut_out.wasm', ...engines.map((engine) => `${enginePrograms[engine]}.js`)], read);
+  const engines = parts.filter((part) => kEngines[part]);
+  checkLicences(['spineloft_cut_out.wasm', ...engines.map((engine) => `${kEngines[engine]}.js`)], read);
   if (twins) await compress(fresh);
   if (keep && existsSync(distDir)) cpSync(distDir, fresh, { recursive: true, force: false });
   const old = join(buildDir, `site-old-${shortHash(Date.now())}`);

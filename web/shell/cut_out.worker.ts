@@ -1,6 +1,5 @@
 // The worker that cuts things out of pictures: one request after the other, a round at a time. A newer request ends the
 // older one at the next round.
-import programFile from 'spineloft/cut_out.wasm';
 import { CutOut } from './cut_out/program.ts';
 import type { CutMessage, CutRequest, CutStop } from './cut_out/protocol.ts';
 import { hold } from './lifeline.ts';
@@ -12,7 +11,8 @@ const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<CutRequest | CutStop>) => void) | null;
 };
 
-const starting = bytesOf(programFile, import.meta.url).then((bytes) => CutOut.load(bytes));
+// Its address is relative to the page, this script lies among the page's assets.
+const starting = bytesOf(`../${SPINELOFT_SITE.cutOut}`, import.meta.url).then((bytes) => CutOut.load(bytes));
 starting.then(() => scope.postMessage({ type: 'ready' }, [])).catch(rethrow);
 
 hold(scope.name, () => scope.postMessage({ type: 'alive' }, []));

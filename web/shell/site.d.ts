@@ -14,6 +14,8 @@ interface SpineLoftSite {
   readonly version: string;
   readonly threads: SpineLoftVariant;
   readonly single: SpineLoftVariant;
+  /** The program of the worker that cuts out. */
+  readonly cutOut: string;
   /** Every file of the repository's assets/ folder: 'samples/cup.jpg' → 'assets/samples/cup-0123456789.jpg'. */
   readonly assets: Readonly<Record<string, string>>;
   /** Every web/shell/NAME.worker.ts, bundled on its own: 'NAME' → its path, for boundScript. */
