@@ -177,7 +177,7 @@ std::vector<std::array<std::size_t, 2>> hiddenPairs(std::span<const LineEnd> end
     for (std::size_t k = i + 1; k < going.size(); ++k) {
       const LineEnd &from = ends[going[i]], &to = ends[going[k]];
       const Between between = betweenOf(from, to);
-      if (between.turn() > kMostHiddenTurn || norm(between.chord) <= kWelding * size) continue;
+      if (between.turn() > kMostHiddenTurn || norm(between.chord) <= kContact * size) continue;
       pairs.push_back({costOf(from, to, between, size), {going[i], going[k]}});
     }
   }

@@ -80,11 +80,26 @@ void moveEnd(std::vector<MeasuredLine>& lines, End end, PicturePoint to) {
   moveStretches(line, before, end.last ? 0 : first - distance(line.points[0], line.points[1]));
 }
 
+/// Whether both ends of a line lie on others, apart from each other: what is as narrow as a hand misses.
+bool standsOnOthers(const std::vector<MeasuredLine>& lines, std::uint32_t number, double size) {
+  const MeasuredLine& line = lines[number];
+  const auto isOnAnother = [&](PicturePoint end) {
+    for (std::uint32_t k = 0; k < lines.size(); ++k) {
+      if (k != number && nearestOn(lines[k], end).distance <= kWelding * size) return true;
+    }
+    return false;
+  };
+  return !line.closed && distance(line.points.front(), line.points.back()) >= kContact * size &&
+         isOnAnother(line.points.front()) && isOnAnother(line.points.back());
+}
+
 void closeLines(std::vector<MeasuredLine>& lines, double size) {
-  for (MeasuredLine& line : lines) {
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    MeasuredLine& line = lines[i];
     if (line.closed) continue;
     const double gap = distance(line.points.front(), line.points.back());
     if (gap > kClosing * size || line.points.size() < 4 || line.length() < 4 * std::max(gap, kClosing * size)) continue;
+    if (standsOnOthers(lines, i, size)) continue;
     const double before = line.length();
     // Ends that nearly meet are one point, others are joined straight.
     if (gap < kContact * size) line.points.pop_back();
@@ -108,7 +123,8 @@ std::vector<End> weldEnds(std::vector<MeasuredLine>& lines, double size) {
     std::vector<std::size_t> cluster{i};
     for (std::size_t k = i + 1; k < ends.size(); ++k) {
       const bool near = !taken[k] && distance(pointOf(lines, ends[i]), pointOf(lines, ends[k])) <= kWelding * size;
-      if (near) cluster.push_back(k);
+      const bool isNarrow = ends[k].line == ends[i].line && standsOnOthers(lines, ends[i].line, size);
+      if (near && !isNarrow) cluster.push_back(k);
     }
     if (cluster.size() == 1) {
       alone.push_back(ends[i]);

@@ -32,11 +32,11 @@ inline constexpr double kShared = 0.1;      ///< lines at each other for longer 
 inline constexpr double kSnapping = 0.03;   ///< a change of type nearer than this to a crossing is meant to be there
 
 /// The lines in their order, with repeated points dropped, open ends welded and overshoots cut: an end within kClosing
-/// of the line's other end closes the line; ends of several lines within kWelding of each other go to their mean; any
-/// other end within kWelding of another line is put on it, and what crosses that line shortly before its end is cut
-/// there. Hidden stretches stay at their places. Cost: points squared over a grid; `lines` of the limits of drawing.h.
-/// Errors: StrokeNotFinite, StrokeTooShort (fewer than two distinct points), ValueOutOfRange (more than the limits
-/// allow, or stretches out of order).
+/// of the line's other end closes the line, but where both lie on other lines; ends of several lines within kWelding of
+/// each other go to their mean; any other end within kWelding of another line is put on it, and what crosses that line
+/// shortly before its end is cut there. Hidden stretches stay at their places. Cost: points squared over a grid;
+/// `lines` of the limits of drawing.h. Errors: StrokeNotFinite, StrokeTooShort (fewer than two distinct points),
+/// ValueOutOfRange (more than the limits allow, or stretches out of order).
 Result<std::vector<MeasuredLine>> meetingLines(std::span<const Line> lines);
 
 enum class NodeKind : std::uint8_t {

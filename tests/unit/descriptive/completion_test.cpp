@@ -195,6 +195,18 @@ TEST_CASE("legs that end at a body go on behind it, each for itself") {
   CHECK(made.model.orders.unexplained.empty());
 }
 
+TEST_CASE("a limb goes on behind the body however narrow it is") {
+  for (const double width : {12.0, 18.0, 25.0, 35.0, 60.0}) {
+    const double left = 500 - width / 2, right = 500 + width / 2;
+    const Made made = madeOf({ball({500, 300}, 200), open({{left, 499}, {left, 850}, {right, 850}, {right, 499}})});
+    CAPTURE(width);
+    CHECK(made.linesOf == std::vector<std::size_t>{1, 1});
+    CHECK(made.model.completed.size() == 1);
+    REQUIRE(made.model.orders.orders.size() == 1);
+    CHECK(made.model.orders.orders[0].over == 0);
+  }
+}
+
 TEST_CASE("a bar that comes out on the other side is one piece; a bar between two balls ends in both") {
   const Made through = madeOf({ball({500, 500}, 120), open({{381, 480}, {200, 480}, {200, 520}, {381, 520}}),
                                open({{619, 480}, {800, 480}, {800, 520}, {619, 520}})});
