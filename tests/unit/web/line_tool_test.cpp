@@ -6,7 +6,9 @@
 #include <string>
 
 #include "engine/document/update.h"
+#include "engine/io/journal.h"
 #include "engine/pipeline/derive.h"
+#include "engine/pipeline/world.h"
 #include "tests/support/line_creature.h"
 #include "tests/unit/web/rig.h"
 #include "web/edit/line_drawing.h"
@@ -337,6 +339,49 @@ TEST_CASE("a box that was drawn from above is stood upright in one step") {
   CHECK(page.works("undo"));
   CHECK(page.works("stand-upright", R"({"part": 1})"));
   CHECK(page.fault("stand-upright", R"({"part": 9})") == "NoSuchPart");
+}
+
+TEST_CASE("what stands upright stands on the floor of the others, and what is grouped with it goes along") {
+  for (const bool isGrouped : {false, true}) {
+    CAPTURE(isGrouped);
+    Lines page;
+    for (const auto& line : seenBox()) page.draw(line);
+    CHECK(page.works("new-sketch", R"({"width": 400, "height": 400})"));
+    for (const char* stroke : {R"({"stroke": [[200, 60], [200, 340]]})", R"({"stroke": [[300, 60], [300, 340]]})"}) {
+      REQUIRE(page.works("draw-spine", stroke));
+    }
+    REQUIRE(page.parts() == 3);
+    CHECK(page.works("move-parts", R"({"parts": [2], "move": [0, -37, 0]})"));
+    if (isGrouped) CHECK(page.works("group", R"({"parts": [1, 3]})"));
+    const auto now = [&] {
+      auto read = io::readHistory(page.app->history(), {}, {});
+      REQUIRE(read.ok());
+      return read.value().history.present();
+    };
+    const std::vector<PartId> box{PartId{1}}, other{PartId{2}}, companion{PartId{3}};
+    const document::Document before = now();
+    CHECK(page.works("stand-upright", R"({"part": 1})"));
+    const document::Document after = now();
+    pipeline::Cache cache;
+    const auto low = [&](const document::Document& document, const std::vector<PartId>& parts) {
+      return pipeline::boundsOf(document, pipeline::derive(document, cache), parts).value().low.y;
+    };
+    const auto placed = [](const document::Document& document, PartId part) {
+      return document::findPart(document, part)->placement;
+    };
+    CHECK(placed(after, PartId{2}) == placed(before, PartId{2}));
+    CHECK((placed(after, PartId{3}) == placed(before, PartId{3})) == !isGrouped);
+    const double stood = isGrouped ? std::min(low(after, box), low(after, companion)) : low(after, box);
+    const double floor = isGrouped ? low(after, other) : std::min(low(after, other), low(after, companion));
+    CHECK(stood == doctest::Approx(floor).epsilon(1e-6));
+    // They are turned as one thing.
+    const WorldPoint axis{0, 1, 0};
+    const auto turnedBy = [&](PartId part) {
+      return geometry::turned(placed(after, part).turn,
+                              geometry::turned(geometry::inverse(placed(before, part).turn), axis));
+    };
+    if (isGrouped) CHECK(norm(turnedBy(PartId{1}) - turnedBy(PartId{3})) < 1e-9);
+  }
 }
 
 TEST_CASE("right angles are seen from above, from below or not at all, and the panel says which") {
