@@ -36,7 +36,7 @@ function openCvModules() {
 }
 
 /** Objects of the page's programs, as CMake puts them. */
-const kOfPage = /^(CMakeFiles\/spineloft_(engine|threads|no_threads)\.dir|web\/CMakeFiles)\//;
+const kOfPage = /^(CMakeFiles\/spineloft_(engine|cut_outs|threads|no_threads)\.dir|web\/CMakeFiles)\//;
 
 /** The libraries that these programs of the page (files that are linked) include and are linked with. */
 function linkedLibraries(programs) {

@@ -91,10 +91,9 @@ function putBuilt(folder, file, as) {
 /** Copies one engine under hashed names; the loader's own references follow. Returns the loader's path. */
 function putEngine(folder, engine) {
   const name = kEngines[engine];
-  const place = kLinked;
-  const wasm = putBuilt(folder, join(place, `${name}.wasm`), `spineloft-${engine}.wasm`);
-  const second = putBuilt(folder, join(place, `${name}_second.wasm`), `spineloft-${engine}-second.wasm`);
-  const named = replaceName(readFileSync(join(place, `${name}.js`), 'utf8'), `${name}.wasm`, basename(wasm));
+  const wasm = putBuilt(folder, join(kLinked, `${name}.wasm`), `spineloft-${engine}.wasm`);
+  const second = putBuilt(folder, join(kLinked, `${name}_second.wasm`), `spineloft-${engine}-second.wasm`);
+  const named = replaceName(readFileSync(join(kLinked, `${name}.js`), 'utf8'), `${name}.wasm`, basename(wasm));
   const loader = replaceName(named, kSecond, basename(second));
   const loaderName = hashedName(`spineloft-${engine}.js`, loader);
   return { js: put(folder, `assets/${loaderName}`, loader), wasm, second };
