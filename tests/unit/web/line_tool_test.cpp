@@ -364,7 +364,7 @@ TEST_CASE("what stands upright stands on the floor of the others, and what is gr
     const document::Document after = now();
     pipeline::Cache cache;
     const auto low = [&](const document::Document& document, const std::vector<PartId>& parts) {
-      return pipeline::boundsOf(document, pipeline::derive(document, cache), parts).value().low.y;
+      return pipeline::boundsOf(document, pipeline::deriveWithEdges(document, cache, {}).value(), parts).value().low.y;
     };
     const auto placed = [](const document::Document& document, PartId part) {
       return document::findPart(document, part)->placement;
