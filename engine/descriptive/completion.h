@@ -45,7 +45,7 @@ struct Cover {
 /// Pairs of ends that go on into each other behind something, by their place in `ends`: each lies on the edge of one of
 /// the covers and leads into it, and the whole way between them is within covers and turns by at most kMostHiddenTurn;
 /// a line hides none of its own ends. Of all such pairs those count first whose way bends as the lines do at their
-/// ends: with the least Σ (Δ bend · c)² + kWayWeight · c / size, c their distance, > kWelding · size; each end is in
+/// ends: with the least Σ (Δ bend · c)² + kWayWeight · c / size, c their distance, > kContact · size; each end is in
 /// one, and is tried in at most kMostTries. Cost: ends squared, and ends times the points of the covers.
 std::vector<std::array<std::size_t, 2>> hiddenPairs(std::span<const LineEnd> ends, std::span<const Cover> covers,
                                                     double size);

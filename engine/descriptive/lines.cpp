@@ -123,8 +123,8 @@ std::vector<End> weldEnds(std::vector<MeasuredLine>& lines, double size) {
     std::vector<std::size_t> cluster{i};
     for (std::size_t k = i + 1; k < ends.size(); ++k) {
       const bool near = !taken[k] && distance(pointOf(lines, ends[i]), pointOf(lines, ends[k])) <= kWelding * size;
-      const bool isNarrow = ends[k].line == ends[i].line && standsOnOthers(lines, ends[i].line, size);
-      if (near && !isNarrow) cluster.push_back(k);
+      const bool isOneLine = ends[k].line == ends[i].line;
+      if (near && !(isOneLine && standsOnOthers(lines, ends[i].line, size))) cluster.push_back(k);
     }
     if (cluster.size() == 1) {
       alone.push_back(ends[i]);
