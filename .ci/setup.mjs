@@ -54,6 +54,12 @@ async function findFacts(parts) {
   };
 }
 
+async function nodeModules(parts) {
+  const isStoreWanted = parts.includes('store');
+  if (parts.includes('node') || isStoreWanted) await installNodePackages();
+  if (isStoreWanted) await compileNativeModules();
+}
+
 /** Waits for the end of every one of these, also where one fails. */
 async function all(promises) {
   const failed = (await Promise.allSettled(promises)).find(({ status }) => status === 'rejected');
@@ -62,10 +68,11 @@ async function all(promises) {
 
 /**
  * Prepares the machine for the given parts: native, wasm (with opencv: for programs that cut out, too), browser, node (npm
- * packages), database (PostgreSQL for tests of the share server), readers (programs that some tests have read what was
- * saved, where they can be installed). Parts that were prepared before for this checkout stay prepared.
+ * packages), store (with these the SQLite of the share server, which is compiled), database (PostgreSQL for tests of the
+ * share server), readers (programs that some tests have read what was saved, where they can be installed). Parts that
+ * were prepared before for this checkout stay prepared.
  */
-export async function setup(parts = ['native', 'wasm', 'opencv', 'browser', 'node']) {
+export async function setup(parts = ['native', 'wasm', 'opencv', 'browser', 'node', 'store']) {
   const started = Date.now();
   mkdirSync(buildDir, { recursive: true });
   rmSync(logFile('setup'), { force: true });
@@ -75,10 +82,7 @@ export async function setup(parts = ['native', 'wasm', 'opencv', 'browser', 'nod
     if (parts.includes('readers')) await installIfPossible('readers');
     try {
       // Downloads and a compiler on one core do not wait for each other.
-      await all([
-        parts.includes('node') ? installNodePackages().then(compileNativeModules) : null,
-        findFacts(parts).then(writeFacts),
-      ]);
+      await all([nodeModules(parts), findFacts(parts).then(writeFacts)]);
     } finally {
       closePinnedSuite();
     }

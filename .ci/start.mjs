@@ -38,8 +38,9 @@ function networkAddresses(host) {
   return all.filter(({ family, internal }) => family === 'IPv4' && !internal).map(({ address }) => address);
 }
 
-/** The share server beside the site. Its libraries are there only after the set-up. */
-async function shareServer(store) {
+/** The share server beside the site, once its libraries are there. */
+async function shareServer(store, isReady) {
+  await isReady;
   const { openStore } = await import('../web/share/store.mjs');
   const { makeShare } = await import('../web/share/server.mjs');
   const { defaultDisk, defaultStore } = await import('../web/share/serve.mjs');
@@ -97,9 +98,9 @@ await mainProgram(async () => {
   if (!/^\d{1,5}$/.test(port)) throw new Stop(`--port wants a number, not ${port}.`);
   const names = networkAddresses(host);
   let share;
-  const serve = async (later) => {
+  const serve = async ({ later, storeIsReady } = {}) => {
     const tls = https ? await certificate(names) : undefined;
-    if (!alone) share = await shareServer(store);
+    if (!alone) share = await shareServer(store, storeIsReady);
     const beside = share && { ...share, addresses: [] };
     const site = await serveFolder(distDir, { port: Number(port), host, isolated: !plain, later, share: beside, tls });
     const addresses = names.map((name) => site.url.replace('localhost', name));
@@ -115,7 +116,10 @@ await mainProgram(async () => {
     site = await serve();
   } else {
     await setup(['wasm', 'node']);
-    site = await buildAndServe(plain ? 'single' : 'threads', serve);
+    // A compiler on one core, beside the engine's.
+    const storeIsReady = alone ? undefined : setup(['store']);
+    storeIsReady?.catch(() => {}); // told by the server, which waits for it
+    site = await buildAndServe(plain ? 'single' : 'threads', (later) => serve({ later, storeIsReady }));
   }
   await stopped;
   share?.endStreams();

@@ -175,7 +175,7 @@ const kStages = {
   },
   native: { title: 'Engine, native and optimised', builds: ['native'], work: native },
   shell: { title: 'The shell without a browser', needs: ['node'], builds: ['site'], work: shell },
-  share: { title: 'The share server, on SQLite and PostgreSQL', needs: ['node', 'database'], work: share },
+  share: { title: 'The share server, on SQLite and PostgreSQL', needs: ['store', 'database'], work: share },
   node: {
     title: 'Command line and scripts',
     needs: ['node', 'readers'],
@@ -184,13 +184,13 @@ const kStages = {
   },
   browser: {
     title: 'The page in headless Chromium',
-    needs: ['browser', 'node', 'readers'],
+    needs: ['browser', 'store', 'readers'],
     builds: ['site', 'command'],
     work: (env) => page({ SPINELOFT_ENGINE: 'threads', ...env }),
   },
   'browser-single': {
     title: 'The page in headless Chromium, its engine without threads',
-    needs: ['browser', 'node', 'readers'],
+    needs: ['browser', 'store', 'readers'],
     builds: ['site', 'command'],
     onlyInAll: true,
     work: (env) => page({ ...env, SPINELOFT_ENGINE: 'single' }),

@@ -170,12 +170,7 @@ class WriteMembers {
     out_[key] = toJson(value);
   }
   /// One of several kinds; the kind of a loft is not written, as in the files of version 1.
-  void recipe(const char* kindKey, const char* key, const document::Recipe& value) {
-    if (document::kindOf(value) != document::PartKind::Loft) {
-      out_[kindKey] = document::kindKey(document::kindOf(value));
-    }
-    std::visit([&](const auto& one) { (*this)(key, one); }, value);
-  }
+  void recipe(const char* kindKey, const char* key, const document::Recipe& value);
   void photo(const char* key, const std::shared_ptr<const image::Picture>& picture, std::uint64_t contentHash) {
     if (picture) out_[key] = hashKey(contentHash);
   }
@@ -520,20 +515,7 @@ class ReadMembers {
     (*this)(key, value);
   }
   /// An unknown kind leaves an empty loft, which no document holds.
-  void recipe(const char* kindKey, const char* key, document::Recipe& value) {
-    const auto kind = object_.find(kindKey);
-    if (kind != object_.end()) {
-      const auto* name = kind->template get_ptr<const std::string*>();
-      const document::PartKind known = name ? document::kindFromKey(*name) : document::PartKind::kCount;
-      value = document::emptyRecipe(known);
-      object_.erase(kind);
-      if (known == document::PartKind::kCount) {
-        reading_.notes.say(std::string(kindKey) + " must be " + wanted(known));
-        return;
-      }
-    }
-    std::visit([&](auto& one) { (*this)(key, one); }, value);
-  }
+  void recipe(const char* kindKey, const char* key, document::Recipe& value);
   /// A photo that is not there leaves `picture` empty and the hash set.
   void photo(const char* key, std::shared_ptr<const image::Picture>& picture, std::uint64_t& hash);
   /// The pictures and parts of a document are read one by one (document_json.cpp).
