@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "engine/geometry/polyline.h"
@@ -73,33 +74,43 @@ void forCrossings(const geometry::PlaneMesh& one, const std::vector<MeshEdge>& o
   const auto cell = [&](double value, double low) {
     return std::clamp(static_cast<int>((value - low) / width), 0, kAcross - 1);
   };
-  std::vector<std::vector<std::uint32_t>> buckets(kAcross * kAcross);
+  const auto forCells = [&](const Box2& box, const auto& visit) {
+    const int left = cell(box.low.x, within.low.x), right = cell(box.high.x, within.low.x);
+    for (int y = cell(box.low.y, within.low.y); y <= cell(box.high.y, within.low.y); ++y) {
+      for (int x = left; x <= right; ++x) visit(static_cast<std::size_t>(y * kAcross + x));
+    }
+  };
+  // Edges of the other one by cell: those of cell c are from first[c] to first[c + 1].
+  std::vector<std::uint32_t> first(kAcross * kAcross + 1, 0), edges;
+  std::vector<std::pair<std::uint32_t, Box2>> near;
   for (std::uint32_t k = 0; k < otherEdges.size(); ++k) {
     const Box2 box = boxOf(other, otherEdges[k]);
     if (!box.meets(within)) continue;
-    for (int y = cell(box.low.y, within.low.y); y <= cell(box.high.y, within.low.y); ++y) {
-      for (int x = cell(box.low.x, within.low.x); x <= cell(box.high.x, within.low.x); ++x) {
-        buckets[static_cast<std::size_t>(y * kAcross + x)].push_back(k);
-      }
-    }
+    near.emplace_back(k, box);
+    forCells(box, [&](std::size_t at) { ++first[at + 1]; });
   }
-  std::vector<std::uint32_t> lastSeen(otherEdges.size(), 0xffffffffu);
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  edges.resize(first.back());
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  for (std::uint32_t n = 0; n < near.size(); ++n) {
+    forCells(near[n].second, [&](std::size_t at) { edges[next[at]++] = n; });
+  }
+  std::vector<std::uint32_t> lastSeen(near.size(), 0xffffffffu);
   for (std::uint32_t i = 0; i < ownEdges.size(); ++i) {
     const Box2 box = boxOf(one, ownEdges[i]);
     if (!box.meets(within)) continue;
     const SectionPoint a = one.points()[ownEdges[i].a], r = one.points()[ownEdges[i].b] - a;
-    for (int y = cell(box.low.y, within.low.y); y <= cell(box.high.y, within.low.y); ++y) {
-      for (int x = cell(box.low.x, within.low.x); x <= cell(box.high.x, within.low.x); ++x) {
-        for (const std::uint32_t k : buckets[static_cast<std::size_t>(y * kAcross + x)]) {
-          if (std::exchange(lastSeen[k], i) == i) continue;
-          const SectionPoint c = other.points()[otherEdges[k].a], q = other.points()[otherEdges[k].b] - c;
-          const double whole = cross(r, q);
-          if (whole == 0) continue;
-          const double t = cross(c - a, q) / whole, u = cross(c - a, r) / whole;
-          if (t > 0 && t < 1 && u > 0 && u < 1) each(ownEdges[i], t, otherEdges[k], u, a + r * t);
-        }
+    forCells(box, [&](std::size_t at) {
+      for (std::uint32_t e = first[at]; e < first[at + 1]; ++e) {
+        const auto& [k, its] = near[edges[e]];
+        if (!box.meets(its) || std::exchange(lastSeen[edges[e]], i) == i) continue;
+        const SectionPoint c = other.points()[otherEdges[k].a], q = other.points()[otherEdges[k].b] - c;
+        const double whole = cross(r, q);
+        if (whole == 0) continue;
+        const double t = cross(c - a, q) / whole, u = cross(c - a, r) / whole;
+        if (t > 0 && t < 1 && u > 0 && u < 1) each(ownEdges[i], t, otherEdges[k], u, a + r * t);
       }
-    }
+    });
   }
 }
 

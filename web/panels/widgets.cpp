@@ -112,6 +112,31 @@ Press press;
 
 bool byFinger() { return ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen; }
 
+/// The slider that was pressed. A mouse and a pen have it; a finger has it once it goes along it rather than across it,
+/// which scrolls the panel. Until then it stays as it is.
+struct HeldSlider {
+  ImGuiID id = 0;
+  bool isSure = false;
+  float pressed = 0;  ///< its value where the finger is
+};
+HeldSlider heldSlider;
+
+/// Call after the slider.
+void holdSlider(float before, float& value, SliderTurn& turn) {
+  HeldSlider& held = heldSlider;
+  if (ImGui::IsItemActivated()) held = {ImGui::GetItemID(), !byFinger(), value};
+  if (held.id != ImGui::GetItemID()) return;
+  const ImVec2 way = ImGui::GetMouseDragDelta(0, kDragSlop);
+  if (std::abs(way.x) > std::abs(way.y)) held.isSure = true;
+  if (turn.done) {
+    if (!held.isSure) value = held.pressed;  // a tap
+  } else if (!held.isSure && ImGui::IsItemActive()) {
+    held.pressed = std::exchange(value, before);
+    turn.changed = false;
+  }
+  if (!ImGui::IsItemActive()) held = {};
+}
+
 /// A button without a look of its own. A finger that stayed on it asked for its name and presses nothing.
 bool pressedItem(const char* id, ImVec2 size) { return ImGui::InvisibleButton(id, size) && !wasLongPress(); }
 
@@ -189,9 +214,11 @@ void namesCommand(const PanelEnv& env, app::CommandId id) { env.ui().controls.ba
 
 SliderTurn slider(const PanelEnv& env, const Slider& what, float& value) {
   SliderTurn turn;
+  const float before = value;
   turn.changed = ImGui::SliderFloat(what.id, &value, what.low, what.high, what.format,
                                     what.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   turn.done = ImGui::IsItemDeactivatedAfterEdit();
+  holdSlider(before, value, turn);
   registerControl(env, app::Control::Kind::Slider, what.words);
   app::Control& control = env.ui().controls.back();
   std::optional<app::AskedControl>& asked = env.ui().asked;
@@ -461,6 +488,7 @@ void dragScroll() {
     return;
   }
   if (!ImGui::IsMouseDragging(0, kDragSlop)) return;
+  if (heldSlider.isSure && heldSlider.id == ImGui::GetActiveID()) return;
   if (ImGui::GetScrollMaxX() <= 0 && ImGui::GetScrollMaxY() <= 0) return;
   ImGui::ClearActiveID();  // it has become a drag: no button is pressed at its end
   ImGui::SetScrollX(ImGui::GetScrollX() - io.MouseDelta.x);

@@ -184,7 +184,7 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
 /// A tile that runs a command, with its icon and its word, or the first of its words where there is no room for all.
 void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size);
 
-/// Scrolls the current window when a finger or the mouse drags its content.
+/// Scrolls the current window when a finger or the mouse drags its content, unless that is a slider that is moved.
 void dragScroll();
 
 /// The side of a square button: larger for fingers.

@@ -81,6 +81,69 @@ TEST_CASE("a slider gets a value by its id: it is set once, in one step, and rea
   CHECK(controlOf(page, before.words, Control::Kind::Slider).slide->value == doctest::Approx(before.slide->high));
 }
 
+namespace {
+
+/// A puff beside whose controls there is more than the panel has room for.
+struct TallPanel : Rig {
+  explicit TallPanel(platform::Device device) : Rig(platform::CanvasSize{1440, 560, 1}) {
+    openBar();
+    run("draw-puff", R"({"line": [[60,60],[140,60],[140,140],[60,140],[60,60]]})");
+    move(platform::PointerKind::Leave, 0, 0, device);  // the panel is as large as this one needs it
+  }
+  Control height() { return controlOf(*this, "Height", Control::Kind::Slider); }
+  double undo() { return *state().number("undo"); }
+  void move(platform::PointerKind kind, double x, double y, platform::Device device) {
+    pointer(kind, x, y, device);
+    settle();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a slider in a panel that scrolls follows the pointer until it is let go, in one step") {
+  using platform::PointerKind;
+  for (const platform::Device device : {platform::Device::Mouse, platform::Device::Pen, platform::Device::Touch}) {
+    CAPTURE(static_cast<int>(device));
+    TallPanel page(device);
+    const Control before = page.height();
+    const double undo = page.undo(), y = before.at.centre().y;
+    const auto x = [&](double share) { return before.at.x + share * before.at.width; };
+    page.move(PointerKind::Down, x(0.3), y, device);
+    double last = 0;
+    for (double share = 0.4; share < 0.85; share += 0.1) {
+      page.move(PointerKind::Move, x(share), y + 20 * share, device);
+      CHECK(page.height().slide->value > last);
+      last = page.height().slide->value;
+      CHECK(page.undo() == undo);
+    }
+    page.move(PointerKind::Up, x(0.8), y + 16, device);
+    CHECK(page.undo() == undo + 1);
+    CHECK(page.height().slide->value == doctest::Approx(last).epsilon(0.03));
+    CHECK(page.height().at == before.at);
+    page.run("undo");
+    page.settle();
+    CHECK(page.height().slide->value == before.slide->value);
+  }
+}
+
+TEST_CASE("a finger that goes across a slider scrolls the panel and leaves the slider as it was; a tap sets it") {
+  using platform::PointerKind;
+  TallPanel page(platform::Device::Touch);
+  const Control before = page.height();
+  const double undo = page.undo(), x = before.at.x + 0.2 * before.at.width, y = before.at.centre().y;
+  page.move(PointerKind::Down, x, y, platform::Device::Touch);
+  for (int i = 1; i <= 8; ++i) page.move(PointerKind::Move, x + i, y - 10 * i, platform::Device::Touch);
+  page.move(PointerKind::Up, x + 8, y - 80, platform::Device::Touch);
+  const Control after = page.height();
+  CHECK(after.slide->value == before.slide->value);
+  CHECK(after.at.y < before.at.y - 40);
+  CHECK(page.undo() == undo);
+  page.move(PointerKind::Down, x, after.at.centre().y, platform::Device::Touch);
+  page.move(PointerKind::Up, x, after.at.centre().y, platform::Device::Touch);
+  CHECK(page.height().slide->value < before.slide->value);
+  CHECK(page.undo() == undo + 1);
+}
+
 TEST_CASE("ids tell controls apart, at every size and with every tool") {
   for (const platform::CanvasSize size : {platform::CanvasSize{1440, 800, 1}, {1024, 700, 1}, {390, 740, 2}}) {
     Rig page(size);
