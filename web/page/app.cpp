@@ -229,7 +229,13 @@ void App::frameNewPart() {
   const bool waiting = std::ranges::any_of(derived.parts, &pipeline::DerivedPart::waiting);
   if (waiting) return;
   ui_.framePending = false;
-  if (!ui_.cameraTouched) flyTo(env(), studio_.document().parts.size() == 1);
+  if (!ui_.cameraTouched) {
+    flyTo(env(), studio_.document().parts.size() == 1);
+    return;
+  }
+  // The visitor turned the solid: it stays so turned.
+  const auto part = pipeline::boundsOf(studio_.document(), derived, {&ui_.selection, 1});
+  if (part && !isInSight(ui_.camera, ui_.layout.solid, *part)) flyTo(env(), false);
 }
 
 void App::fly() {

@@ -23,6 +23,8 @@ void App::resize(const platform::CanvasSize& size) {
   ui_.canvasHeight = std::max(1.0, size.height);
   ui_.dpr = std::clamp(size.dpr, 0.5, 4.0);
   if (fontDpr_ != ui_.dpr) fontDpr_ = 0;
+  // What is under the pointer is another place now.
+  if (gestures_.active()) gestures_.cancel(toolEnv());
   layout();
   touch(2);
   // Before the browser shows the last frame at another size; where a processor draws, it does so until the next one is

@@ -36,6 +36,7 @@ void resetNextPart(UiState& ui) {
   ui.lathe = fresh.lathe;
   ui.primitive = fresh.primitive;
   ui.axisOf = {};
+  ui.edit.hiddenPen = false;
   ui.layers = {};
   ui.secondColour = fresh.secondColour;
 }

@@ -267,6 +267,48 @@ TEST_CASE("dragging in the solid view turns the camera, with shift it shifts, th
   CHECK(rig.parts() == 1);
 }
 
+TEST_CASE("a new part that is out of sight comes into view, and the solid stays turned as it was") {
+  Rig rig;
+  rig.openBar();
+  rig.drawBar();
+  const app::UiState& ui = rig.app->ui();
+  const auto solid = ui.layout.solid.centre();
+  rig.pointer(PointerKind::Down, solid.x, solid.y + 150);
+  rig.pointer(PointerKind::Move, solid.x + 90, solid.y + 180);
+  rig.pointer(PointerKind::Up, solid.x + 90, solid.y + 180);
+  rig.settle();
+  const app::Camera turned = ui.camera;
+  // Inside what is seen nothing moves.
+  rig.run("draw-spine", R"({"stroke":[[95,80],[105,120]]})");
+  rig.settle();
+  CHECK(ui.camera == turned);
+  for (int i = 0; i < 6; ++i) rig.run("zoom-in");
+  rig.settle();
+  const app::Camera near = ui.camera;
+  REQUIRE(near.distance < 0.7 * turned.distance);
+  rig.run("draw-spine", R"({"stroke":[[100,30],[100,170]]})");
+  rig.settle();
+  const app::Camera after = ui.camera;
+  CHECK(after.yaw == doctest::Approx(turned.yaw));
+  CHECK(after.pitch == doctest::Approx(turned.pitch));
+  CHECK(after.distance > 1.3 * near.distance);
+  rig.run("fit-view");
+  rig.settle();
+  CHECK(ui.camera == after);
+}
+
+TEST_CASE("a window that gets another size takes the stroke back") {
+  Rig rig;
+  rig.openBar();
+  rig.press(100, 40, 100, 160);
+  rig.app->resize({900, 700, 1});
+  rig.lift();
+  rig.settle();
+  CHECK(rig.parts() == 0);
+  rig.drawBar();
+  CHECK(rig.parts() == 1);
+}
+
 TEST_CASE("arrow keys turn the solid, or move the picture while its view is chosen") {
   Rig rig;
   rig.openBar();

@@ -459,3 +459,15 @@ TEST_CASE("bridges stand a fingertip apart, also where pieces overlap near each 
   }
   CHECK(told == 3);
 }
+
+TEST_CASE("a new model is begun with the pen for what is seen") {
+  Rig rig;
+  rig.run("new-sketch");
+  rig.run("hidden-pen", R"({"on": true})");
+  REQUIRE(rig.app->ui().edit.hiddenPen);
+  rig.run("clear");
+  rig.settle();
+  rig.run("new-sketch");
+  rig.run("lines");
+  CHECK_FALSE(rig.app->ui().edit.hiddenPen);
+}
