@@ -2,8 +2,20 @@
 // that is a doughnut. An action is a press or a stroke.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { press, strokeAlong } from './support/hands.mjs';
-import { exported, idle, kPhone, kTablet, onPage, run, state, toastText, toClient, useSite } from './support/page.mjs';
+import { control, handOf, onCanvas, press, strokeAlong } from './support/hands.mjs';
+import {
+  exported,
+  framed,
+  idle,
+  kPhone,
+  kTablet,
+  onPage,
+  run,
+  state,
+  toastText,
+  toClient,
+  useSite,
+} from './support/page.mjs';
 import { kRounds } from '../support/rounds.mjs';
 
 const kit = useSite();
@@ -85,3 +97,31 @@ test('a ring too thin to show is drawn thicker, and the page says so', () =>
     await run(page, 'slice-whole');
     assert.equal((await state(page)).parts[0].bones.thickened, 0);
   }));
+
+for (const hand of ['mouse', 'finger', 'pen'])
+  test(`the height is dragged by its slider in a panel that scrolls, in one step: by ${hand}`, () =>
+    onPage(kit, { viewport: { width: 1280, height: 640 }, hasTouch: true }, async (page) => {
+      await page.getByRole('button', { name: 'Draw on paper' }).click();
+      await idle(page);
+      await run(page, 'puff');
+      await strokeAlong(page, hand, await toClient(page, round(510, 384, 190, 190)));
+      const { at, slide } = await control(page, 'Height', { kind: 'slider', touch: hand === 'finger' });
+      const { undo } = await state(page);
+      const [x, y, width, height] = at;
+      const path = [0.55, 0.6, 0.66, 0.72, 0.8].map((share) => [x + share * width, y + height / 2 + 10 * share]);
+      const [first, ...others] = await onCanvas(page, ...path),
+        pointer = await handOf(page, hand);
+      await pointer.down(first);
+      for (const place of others) {
+        await pointer.move(place);
+        await framed(page);
+      }
+      await pointer.up();
+      await idle(page);
+      const after = await state(page);
+      assert.equal(after.undo, undo + 1);
+      const now = after.controls.find(({ words, kind }) => words === 'Height' && kind === 'slider');
+      assert.ok(now.slide.value > 1.5 * slide.value, `${slide.value} -> ${now.slide.value}`);
+      await run(page, 'undo');
+      assert.equal((await state(page)).parts.length, 1);
+    }));

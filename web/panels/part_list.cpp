@@ -188,10 +188,13 @@ void partList(const PanelEnv& env, bool tiles) {
   if (parts.empty()) {
     const document::PictureEntry* picture = findPicture(env.document(), env.ui().picture);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    const app::ToolKind tool = env.ui().tool;
+    const bool byLine = tool == app::ToolKind::Draw || tool == app::ToolKind::Pen || tool == app::ToolKind::Eraser;
+    const bool onPaper = picture != nullptr && picture->isSketch();
     label(env.fonts.small, kMuted,
-          picture != nullptr && picture->isSketch()
-              ? "No part yet. Draw the outline of a thing, then a line along its middle."
-              : "No part yet. Draw one line along the middle of the thing in the picture.");
+          !byLine   ? "No part yet."  // the picture says what to do with the tool
+          : onPaper ? "No part yet. Draw the outline of a thing, then a line along its middle."
+                    : "No part yet. Draw one line along the middle of the thing in the picture.");
     ImGui::PopTextWrapPos();
     return;
   }

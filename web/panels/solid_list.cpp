@@ -9,6 +9,7 @@
 #include <string>
 
 #include "web/edit/solid_editing.h"
+#include "web/model/solid_faults.h"
 #include "web/panels/number_text.h"
 #include "web/panels/theme.h"
 #include "web/panels/widgets.h"
@@ -104,6 +105,18 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
     commandText(env, {"point-opening", width});
   }
   ImGui::PopID();
+}
+
+/// Where a wall is too thick: the one that fits.
+void thinnerWall(const PanelEnv& env, const document::Step& step, float width) {
+  const auto at = std::ranges::find(env.derived.steps, step.id, &pipeline::DerivedStep::id);
+  const double scale = app::millimetresPerUnit(env.env);
+  const bool fits = at != env.derived.steps.end() && at->thickest && *at->thickest >= document::kLeastWall;
+  if (step.kind != StepKind::Hollow || !fits || !(scale > 0)) return;
+  const std::string words(words::tr("Make the wall {length}", {{"length", app::spokenWall(*at->thickest * scale)}}));
+  if (textButton(env, {"thinner", asIs(words), false, true, buttonSide(env), width})) {
+    env.sink.run(app::setStep, document::SetStep{step.id, step.kind, step.blend, *at->thickest, step.opening});
+  }
 }
 
 }  // namespace
@@ -259,6 +272,7 @@ void solidPanel(const PanelEnv& env, float width, bool tiles) {
     }
     if (app::hasPlace(env.env, each)) ImGui::SameLine(0, 4);
     commandText(env, {"solve-again", half});
+    thinnerWall(env, each, width);
     ImGui::PopID();
   }
   if (env.ui().solids.hollow) return shownHollow(env, *env.ui().solids.hollow, width);

@@ -7,6 +7,7 @@
 
 #include "tests/unit/web/rig.h"
 #include "tests/unit/web/shown.h"
+#include "tests/unit/web/two_bars.h"
 #include "web/commands/commands.h"
 #include "web/edit/hollowing.h"
 
@@ -283,4 +284,21 @@ TEST_CASE("the mouth that is shown follows side, depth and place as one that is 
   isSame();
   desk.run("set-section", R"({"part": 1, "section": "square"})");
   isSame();
+}
+
+TEST_CASE("where a wall is too thick, the one that fits is a press away") {
+  test::TwoBars rig;
+  rig.run("scoop-out", R"({"part": 1})");
+  rig.settle();
+  rig.fail(rig.lastAsked(), Json::Object{{"error", "WallTooThick"}, {"part", 1}, {"thickest", 0.0125}});
+  CHECK(rig.settle());
+  const auto& controls = rig.app->ui().controls;
+  const auto button =
+      std::ranges::find_if(controls, [](const app::Control& one) { return one.words.starts_with("Make the wall "); });
+  REQUIRE(button != controls.end());
+  const std::size_t asked = rig.asked();
+  rig.click(button->at.centre().x, button->at.centre().y);
+  rig.settle();
+  CHECK(rig.step().number("wall") == doctest::Approx(0.0125));
+  CHECK(rig.asked() == asked + 1);
 }
