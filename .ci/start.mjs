@@ -38,8 +38,8 @@ function networkAddresses(host) {
   return all.filter(({ family, internal }) => family === 'IPv4' && !internal).map(({ address }) => address);
 }
 
-/** The share server beside the site, once its libraries are there. */
-async function shareServer(store, isReady) {
+/** The share server beside the site, once its libraries are there; where nobody prepares them yet, they are now. */
+async function shareServer(store, isReady = setup(['store'])) {
   await isReady;
   const { openStore } = await import('../web/share/store.mjs');
   const { makeShare } = await import('../web/share/server.mjs');
