@@ -83,7 +83,9 @@ RightAngles rightAnglesOf(std::span<const Sheet> sheets, std::span<const Piece> 
   const std::vector<StraightStretch> all = stretchesOf(sheets, pieces, size);
   std::vector<SectionPoint> ways;
   for (const StraightStretch& one : all) ways.push_back(one.way());
-  const Directions directions = directionsOf(ways);
+  const Directions directions = directionsOf(ways, [&](std::size_t i, std::size_t k) {
+    return all[i].outline == all[k].outline && (all[i].to == all[k].from || all[k].to == all[i].from);
+  });
   const std::optional<Axes> axes = axesOf(all, directions);
   RightAngles out;
   if (!axes) return out;

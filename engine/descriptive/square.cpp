@@ -98,7 +98,17 @@ class Squarer {
       const Vector2d way = drawn_[edge.b] - drawn_[edge.a];
       ways.push_back({way.x(), way.y()});
     }
-    directions_ = directionsOf(ways);
+    std::vector<int> at(drawn_.size());
+    for (const Edge& edge : edges_) {
+      ++at[edge.a];
+      ++at[edge.b];
+    }
+    directions_ = directionsOf(ways, [&](std::size_t e, std::size_t f) {
+      const Edge &one = edges_[e], &other = edges_[f];
+      // At a corner of only two edges they go straight on.
+      const auto isCorner = [&](std::uint32_t c) { return at[c] > 2 && (c == other.a || c == other.b); };
+      return isCorner(one.a) || isCorner(one.b);
+    });
     for (std::size_t e = 0; e < edges_.size(); ++e) edges_[e].direction = directions_.of[e];
     const std::optional<Axes> axes = axesOf(directions_, edges_, drawn_.size());
     if (!axes) return Failure{Error::ShapeInvalid, "no three of its edges meet at right angles"};

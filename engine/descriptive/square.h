@@ -17,15 +17,14 @@ struct FacedSolid {
   double offPlane = 0;                 ///< how far a corner is from the plane of a face, the most
 };
 
-/// Edges are clustered by their direction in the picture. Three directions u₁, u₂, u₃ can be those of a right-angled
-/// corner if A₁₂A₁₃A₂₃ > 0 with A_ij = −u_i·u_j; their slopes, dz per length along u, are then s₁ = √(A₁₂A₁₃/A₂₃),
-/// s₂ = A₁₂/s₁, s₃ = A₁₃/s₁. Of all such triples that one counts at whose corners the three meet most often, then the
-/// one with most edges. Depths are those of least squares with these slopes, with edges of one other direction parallel
-/// and faces plane; what is seen is in front. Then corners move so that every face is exactly a plane and edges keep
-/// their axes: Σ(Δx² + Δy² + Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in
-/// each of at most kMostRounds steps of Gauss and Newton. Up is the axis that is most upright in the picture, and
-/// exactly off the face below where one lies within 20° across it. Errors: ShapeInvalid where no three directions are
-/// right-angled, or faces that cannot be planes.
+/// Edges are clustered by their direction in the picture; those that meet at a corner are never of one. Of all three
+/// directions that can be those of a right-angled corner (axes.h) those count that meet at most corners, then those
+/// with most edges. Depths are those of least squares with these slopes, with edges of one other direction parallel and
+/// faces plane; what is seen is in front. Then corners move so that every face is exactly a plane and edges keep their
+/// axes: Σ(Δx² + Δy² + Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in each of
+/// at most kMostRounds steps of Gauss and Newton. Up is the axis that is most upright in the picture, and exactly off
+/// the face below where one lies within 20° across it. Errors: ShapeInvalid where no three directions are right-angled,
+/// or faces that cannot be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 
 /// The depth of the edge that is nearest to p, there; all in shares of the size.

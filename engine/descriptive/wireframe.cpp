@@ -163,49 +163,24 @@ class Solid {
     return isBall && out.faces.size() >= 4 ? std::optional(out) : std::nullopt;
   }
 
-  /// Where all edges are seen and the silhouette looks the same turned half round its middle: both ends of each edge
-  /// inside it, so turned. Else none.
-  std::vector<std::array<PicturePoint, 2>> turnedEdges(double reach) const {
-    const std::optional<Layer> front = layerOf(chosen_);
-    if (!front || front->outer.size() % 2 == 1) return {};
-    const std::size_t n = front->outer.size();
-    PicturePoint middle{};
-    for (const Corner c : front->outer) middle += at(c) / static_cast<double>(n);
-    std::map<Corner, PicturePoint> turned;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Corner opposite = front->outer[(i + n / 2) % n];
-      const PicturePoint there = middle * 2 - at(front->outer[i]);
-      if (distance(at(opposite), there) > reach) return {};
-      turned[front->outer[i]] = at(opposite);
+  /// Where all edges are seen and they are some of those of a prism: its others. A prism is a face, the base, and the
+  /// same moved by the way that edges lead away from it; all of them are within `reach` of that way. Of several bases
+  /// the one that fits best. Else none.
+  std::vector<std::array<PicturePoint, 2>> missingOfPrism(double reach) const {
+    const bool isSeen = std::ranges::none_of(chosen_, [&](std::uint32_t e) { return edges_.all()[e].hidden; });
+    const std::optional<Layer> front = isSeen ? layerOf(chosen_) : std::nullopt;
+    if (!front) return {};
+    const Neighbours drawn = withoutPassed(front->outer);
+    std::vector<std::array<PicturePoint, 2>> best;
+    double least = reach;
+    for (Wireframe::Face base : front->faces) {
+      std::erase_if(base, [&](Corner c) { return !drawn.contains(c); });
+      const std::optional<Prism> prism = prismOver(base, drawn, least);
+      if (!prism) continue;
+      best = prism->missing;
+      least = prism->off;
     }
-    std::map<Corner, std::vector<Corner>> inside;
-    for (const std::uint32_t e : chosen_) {
-      const auto [a, b] = edges_.all()[e].ends;
-      if (edges_.all()[e].hidden) return {};
-      if (isOn(front->outer, {a, b})) continue;
-      inside[a].push_back(b);
-      inside[b].push_back(a);
-    }
-    // One line from corner to corner, through places where an edge goes straight on.
-    const auto goesOn = [&](Corner c) { return inside[c].size() == 2 && !turned.contains(c); };
-    std::set<Corner> passed;
-    for (const auto& [corner, others] : inside) passed.insert(corner);
-    std::erase_if(passed, [&](Corner c) { return !goesOn(c); });
-    std::vector<std::array<PicturePoint, 2>> out;
-    for (const auto& [start, others] : inside) {
-      if (passed.contains(start)) continue;
-      for (const Corner first : others) {
-        Corner before = start, here = first;
-        while (passed.contains(here)) {
-          const Corner next = inside[here][0] == before ? inside[here][1] : inside[here][0];
-          before = std::exchange(here, next);
-        }
-        if (start >= here) continue;
-        const auto placeOf = [&](Corner c) { return turned.contains(c) ? turned[c] : middle * 2 - at(c); };
-        out.push_back({placeOf(start), placeOf(here)});
-      }
-    }
-    return out;
+    return best;
   }
 
  private:
@@ -213,23 +188,101 @@ class Solid {
     std::vector<Wireframe::Face> faces;
     Wireframe::Face outer;  ///< counter-clockwise
   };
+  using Neighbours = std::map<Corner, std::vector<Corner>>;
+  struct Prism {
+    std::vector<std::array<PicturePoint, 2>> missing;
+    double off = 0;  ///< how far an edge that leads away from the base is from the mean of them, the most; pixels
+  };
+
   PicturePoint at(Corner c) const { return edges_.corners()[c]; }
+  Neighbours neighbours() const {
+    Neighbours out;
+    for (const std::uint32_t e : chosen_) {
+      const auto [a, b] = edges_.all()[e].ends;
+      out[a].push_back(b);
+      out[b].push_back(a);
+    }
+    return out;
+  }
+  bool goesStraightOn(Corner corner, const std::vector<Corner>& others) const {
+    if (others.size() != 2) return false;
+    const PicturePoint in = at(corner) - at(others[0]), out = at(others[1]) - at(corner);
+    return std::abs(std::atan2(cross(in, out), dot(in, out))) < kStraightOn;
+  }
+  /// One edge from corner to corner, through places inside the silhouette where it goes straight on.
+  Neighbours withoutPassed(const Wireframe::Face& silhouette) const {
+    Neighbours out = neighbours();
+    for (auto at = out.begin(); at != out.end();) {
+      const auto& [corner, others] = *at;
+      if (!goesStraightOn(corner, others) || std::ranges::find(silhouette, corner) != silhouette.end()) {
+        ++at;
+        continue;
+      }
+      std::ranges::replace(out.at(others[0]), corner, others[1]);
+      std::ranges::replace(out.at(others[1]), corner, others[0]);
+      at = out.erase(at);
+    }
+    return out;
+  }
+  std::optional<Prism> prismOver(const Wireframe::Face& base, const Neighbours& drawn, double reach) const {
+    const auto isBase = [&](Corner c) { return std::ranges::find(base, c) != base.end(); };
+    std::map<Corner, Corner> image;
+    PicturePoint way{};
+    for (const Corner c : base) {
+      for (const Corner other : drawn.at(c)) {
+        if (isBase(other)) continue;
+        if (!image.try_emplace(c, other).second) return std::nullopt;
+        way += at(other) - at(c);
+      }
+    }
+    if (image.empty()) return std::nullopt;
+    way = way / static_cast<double>(image.size());
+    Prism out;
+    for (const auto& [c, other] : image) out.off = std::max(out.off, norm(at(other) - at(c) - way));
+    if (!(out.off < reach)) return std::nullopt;
+    std::set<Corner> known(base.begin(), base.end());
+    for (const auto& [c, other] : image) known.insert(other);
+    // A corner that no edge leads to is at a place of its own, or was not drawn.
+    std::map<Corner, PicturePoint> place;
+    for (const Corner c : base) {
+      place[c] = at(c) + way;
+      for (const auto& [other, ways] : drawn) {
+        if (image.contains(c) || known.contains(other) || distance(at(other), place[c]) > reach) continue;
+        image[c] = other;
+        known.insert(other);
+      }
+      if (image.contains(c)) place[c] = at(image[c]);
+    }
+    if (!std::ranges::all_of(drawn, [&](const auto& one) { return known.contains(one.first); })) return std::nullopt;
+    const auto isDrawn = [&](Corner a, Corner b) { return std::ranges::find(drawn.at(a), b) != drawn.at(a).end(); };
+    std::size_t found = 0;
+    const auto want = [&](std::optional<Corner> a, PicturePoint from, std::optional<Corner> b, PicturePoint to) {
+      if (a && b && isDrawn(*a, *b)) {
+        ++found;
+      } else {
+        out.missing.push_back({from, to});
+      }
+    };
+    const auto imageOf = [&](Corner c) { return image.contains(c) ? std::optional(image.at(c)) : std::nullopt; };
+    for (std::size_t i = 0; i < base.size(); ++i) {
+      const Corner a = base[i], b = base[(i + 1) % base.size()];
+      want(a, at(a), b, at(b));
+      want(a, at(a), imageOf(a), place[a]);
+      want(imageOf(a), place[a], imageOf(b), place[b]);
+    }
+    std::size_t all = 0;
+    for (const auto& [corner, others] : drawn) all += others.size();
+    return 2 * found == all && !out.missing.empty() ? std::optional(out) : std::nullopt;
+  }
   /// Three at every corner, or two that go on straight.
   bool hasEnoughEdges() const {
-    std::map<Corner, std::vector<Corner>> around;
     std::set<EdgeEnds> all;
     for (const std::uint32_t e : chosen_) {
       const auto [a, b] = edges_.all()[e].ends;
       if (!all.insert(std::minmax(a, b)).second) return false;
-      around[a].push_back(b);
-      around[b].push_back(a);
     }
-    return std::ranges::all_of(around, [&](const auto& one) {
-      const auto& [corner, others] = one;
-      if (others.size() != 2) return others.size() > 2;
-      const PicturePoint in = at(corner) - at(others[0]), out = at(others[1]) - at(corner);
-      return std::abs(std::atan2(cross(in, out), dot(in, out))) < kStraightOn;
-    });
+    return std::ranges::all_of(
+        neighbours(), [&](const auto& one) { return one.second.size() > 2 || goesStraightOn(one.first, one.second); });
   }
   static bool isOn(const Wireframe::Face& cycle, EdgeEnds ends) {
     for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -257,7 +310,7 @@ class Solid {
   /// nowhere, or edges that cross.
   std::optional<Layer> layerOf(const std::vector<std::uint32_t>& layer) const {
     if (layer.size() < 3 || anyCross(layer)) return std::nullopt;
-    std::map<Corner, std::vector<Corner>> around;
+    Neighbours around;
     for (const std::uint32_t e : layer) {
       const auto [a, b] = edges_.all()[e].ends;
       around[a].push_back(b);
@@ -376,7 +429,7 @@ std::vector<Line> missingEdges(std::span<const Line> lines, std::span<const Meas
   for (std::vector<std::uint32_t>& set : connected(edges)) {
     if (!isEnough(set)) continue;
     std::vector<Line> some;
-    for (const auto& [a, b] : Solid(edges, std::move(set)).turnedEdges(2 * kSameCorner * size)) {
+    for (const auto& [a, b] : Solid(edges, std::move(set)).missingOfPrism(2 * kSameCorner * size)) {
       some.push_back({{a, b}, {{0, 1}}, false});
     }
     if (some.empty()) continue;

@@ -31,10 +31,9 @@ std::vector<std::vector<Outline>> proposeWireframes(std::span<const MeasuredLine
 /// (proposeOutlines), in the order of their first lines.
 std::vector<Piece> proposePieces(std::span<const MeasuredLine> lines, std::span<const Node> nodes, double size);
 
-/// Hidden edges that nobody drew: straight hidden lines behind seen edges whose silhouette is the same when it is
-/// turned half round its middle (a box, a prism over a regular hexagon). The hidden edges are the seen ones inside it,
-/// so turned. Only lines with which a piece of kind Solid comes about that is none without them. `measured`, `nodes`:
-/// meetingLines and nodesOf of `lines`.
+/// Hidden edges that nobody drew: straight hidden lines that make seen edges a prism (a box, a house, a stair), which
+/// is a seen face, its base, and the same moved by the way that edges lead away from it. Only lines with which a piece
+/// of kind Solid comes about that is none without them. `measured`, `nodes`: meetingLines and nodesOf of `lines`.
 std::vector<Line> missingEdges(std::span<const Line> lines, std::span<const MeasuredLine> measured,
                                std::span<const Node> nodes);
 

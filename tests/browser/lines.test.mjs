@@ -308,3 +308,63 @@ test('a box drawn from above leans until it is stood upright from its panel', ()
     assert.ok(w < 0.99 && w > 0.8, 'turned by 16 to 74 degrees');
     assert.equal(await findControl(page, 'Stand upright'), null);
   }));
+
+/** Drawn with the front as it is and what goes back slanted: strokes by the corners they lead through. */
+const kObliques = {
+  'a box': {
+    strokes: [
+      '200,250 400,250 400,450 200,450 200,250',
+      '200,250 270,180',
+      '400,250 470,180',
+      '400,450 470,380',
+      '270,180 470,180 470,380',
+    ],
+    faces: 6,
+  },
+  'a house': {
+    strokes: [
+      '200,300 300,180 400,300 400,450 200,450 200,300',
+      '300,180 420,110',
+      '400,300 520,230',
+      '400,450 520,380',
+      '420,110 520,230 520,380',
+    ],
+    faces: 7,
+  },
+  'a stair': {
+    strokes: [
+      '150,200 250,200 250,300 350,300 350,400 150,400 150,200',
+      '150,200 210,150',
+      '250,200 310,150',
+      '250,300 310,250',
+      '350,300 410,250',
+      '350,400 410,350',
+      '210,150 310,150 310,250 410,250 410,350',
+    ],
+    faces: 8,
+  },
+};
+const stroke = (corners) => {
+  const places = corners.split(' ').map((place) => place.split(',').map(Number));
+  return places
+    .slice(1)
+    .flatMap((to, k) =>
+      Array.from({ length: 9 }, (_, i) =>
+        [0, 1].map(
+          (axis) => places[k][axis] + ((to[axis] - places[k][axis]) * i) / 8 + 2 * Math.sin(5 * i + 3 * k + 2 * axis),
+        ),
+      ),
+    );
+};
+for (const [what, { strokes, faces }] of Object.entries(kObliques)) {
+  test(`${what} with its front drawn as it is becomes one piece with plane faces`, () =>
+    onPage(kit, kDesk, async (page) => {
+      await paper(page, 'mouse');
+      for (const corners of strokes) await draw(page, 'mouse', stroke(corners));
+      await idle(page);
+      const { drawings, parts } = await state(page);
+      assert.equal(parts.length, 1);
+      assert.equal(drawings[0].pieces[0].kind, 'solid');
+      assert.equal(drawings[0].pieces[0].outlines.length, faces);
+    }));
+}
