@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/descriptive/axes.h"
+#include "engine/descriptive/prism.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -29,23 +30,34 @@ struct Edge {
   std::size_t direction = 0;
 };
 
-/// The directions that meet at most corners.
-std::optional<Axes> axesOf(const Directions& directions, const std::vector<Edge>& edges, std::size_t corners) {
-  std::vector<std::set<std::size_t>> at(corners);
+/// Which directions meet at each corner.
+std::vector<std::set<std::size_t>> meetingAt(const std::vector<Edge>& edges, std::size_t corners) {
+  std::vector<std::set<std::size_t>> out(corners);
   for (const Edge& edge : edges) {
-    at[edge.a].insert(edge.direction);
-    at[edge.b].insert(edge.direction);
+    out[edge.a].insert(edge.direction);
+    out[edge.b].insert(edge.direction);
   }
-  return bestAxes(directions.all, [&](const Axes& axes) {
-    const auto meeting = std::ranges::count_if(at, [&](const std::set<std::size_t>& there) {
+  return out;
+}
+
+/// The directions that meet at most corners, and at how many of them.
+std::pair<std::optional<Axes>, std::ptrdiff_t> axesOf(const Directions& directions, const std::vector<Edge>& edges,
+                                                      std::size_t corners) {
+  const auto at = meetingAt(edges, corners);
+  const auto meetings = [&](const Axes& axes) {
+    return std::ranges::count_if(at, [&](const std::set<std::size_t>& there) {
       return std::ranges::all_of(axes.direction, [&](std::size_t d) { return there.contains(d); });
     });
+  };
+  const std::optional<Axes> best = bestAxes(directions.all, [&](const Axes& axes) {
+    const auto meeting = meetings(axes);
     const auto count = std::ranges::count_if(edges, [&](const Edge& e) { return axes.of(e.direction) != kNoAxis; });
     // Edges only decide between triples that meet as often.
     return meeting == 0
                ? 0
                : static_cast<double>(meeting) + static_cast<double>(count) / static_cast<double>(edges.size() + 1);
   });
+  return {best, best ? meetings(*best) : 0};
 }
 
 /// Corner k of a face in the plane of three others, those that span the largest triangle.
@@ -79,7 +91,7 @@ std::vector<Plane> planesOf(const std::vector<Wireframe::Face>& faces, const std
 /// Makes a squared solid, step by step.
 class Squarer {
  public:
-  Squarer(const Wireframe& wireframe, const DepthScale& scale) : wireframe_(wireframe) {
+  Squarer(const Wireframe& wireframe, const DepthScale& scale) : wireframe_(wireframe), scale_(scale) {
     for (const PicturePoint p : wireframe.corners) {
       const SectionPoint at = scale.of(p);
       drawn_.emplace_back(at.x, at.y);
@@ -110,7 +122,10 @@ class Squarer {
       return isCorner(one.a) || isCorner(one.b);
     });
     for (std::size_t e = 0; e < edges_.size(); ++e) edges_[e].direction = directions_.of[e];
-    const std::optional<Axes> axes = axesOf(directions_, edges_, drawn_.size());
+    const auto [axes, meeting] = axesOf(directions_, edges_, drawn_.size());
+    // Two corners of six say nothing of right angles: any three directions of a tent can be axes.
+    const bool isWeak = !axes || 3 * meeting <= static_cast<std::ptrdiff_t>(drawn_.size());
+    if (std::optional<FacedSolid> prism = isWeak ? prismOf(wireframe_, scale_) : std::nullopt) return *std::move(prism);
     if (!axes) return Failure{Error::ShapeInvalid, "no three of its edges meet at right angles"};
     axes_ = *axes;
     lift();
@@ -291,6 +306,7 @@ class Squarer {
   }
 
   const Wireframe& wireframe_;
+  const DepthScale& scale_;
   std::vector<Vector2d> drawn_;
   std::vector<Edge> edges_;
   Directions directions_;

@@ -108,5 +108,63 @@ TEST_CASE("a house with its gable drawn as it is has seven plane faces, also whe
   }
 }
 
+/// A prism with base corners in the plane z = 1, counter-clockwise, and the other base at z = 0.
+testing::KnownSolid prismSolid(const std::vector<SectionPoint>& base) {
+  testing::KnownSolid out;
+  const auto n = static_cast<std::uint32_t>(base.size());
+  for (const double z : {1.0, 0.0}) {
+    for (const SectionPoint p : base) out.corners.push_back({p.x, p.y, z});
+  }
+  std::vector<std::uint32_t> front, back;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    front.push_back(i);
+    back.insert(back.begin(), n + i);
+    out.faces.push_back({i, n + i, n + next, next});
+  }
+  out.faces.push_back(front);
+  out.faces.push_back(back);
+  return out;
+}
+
+TEST_CASE("a tent, a ramp and a hexagonal bar keep the base that is drawn, and go back twice as far as drawn") {
+  const std::vector<std::vector<SectionPoint>> bases{
+      {{0, 0}, {1, 0}, {0.5, 0.9}},
+      {{0, 0}, {1.4, 0}, {0.7, 0.9}},
+      {{0, 0}, {1.2, 0}, {1.2, 0.6}},
+      {{0.25, 0}, {0.75, 0}, {1, 0.43}, {0.75, 0.87}, {0.25, 0.87}, {0, 0.43}},
+  };
+  for (std::size_t i = 0; i < bases.size(); ++i) {
+    for (const double back : {0.4, 0.7}) {
+      for (const double angle : {25.0, 40.0, 150.0}) {
+        for (const bool whole : {true, false}) {
+          CAPTURE(i);
+          CAPTURE(back);
+          CAPTURE(angle);
+          CAPTURE(whole);
+          Rng rng(2);
+          const Result<Model> model = modelOf(drawingOf(prismSolid(bases[i]), {back, angle, 0}, whole, 0, rng));
+          REQUIRE(model.ok());
+          REQUIRE(model.value().pieces.size() == 1);
+          REQUIRE(model.value().pieces[0].kind == PieceKind::Solid);
+          CHECK(model.value().pieces[0].outlines.size() == bases[i].size() + 2);
+          const mesh::TriMesh& mesh = model.value().solids[0].mesh;
+          const mesh::MeshReport report = mesh::inspect(mesh);
+          CHECK(report.valid());
+          CHECK(report.genus == 0);
+          // The volume is that of the base as drawn, twice as deep as drawn.
+          double area = 0;
+          for (std::size_t k = 0; k < bases[i].size(); ++k)
+            area += cross(bases[i][k], bases[i][(k + 1) % bases[i].size()]) / 2;
+          const Drawing drawing = drawingOf(prismSolid(bases[i]), {back, angle, 0}, true, 0, rng);
+          const double scale =
+              distance(drawing.lines[0].points[0], drawing.lines[0].points[1]) / distance(bases[i][0], bases[i][1]);
+          CHECK(report.volume == doctest::Approx(area * 2 * back * scale * scale * scale).epsilon(0.02));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace spineloft::descriptive
