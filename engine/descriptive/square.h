@@ -19,12 +19,13 @@ struct FacedSolid {
 
 /// Edges are clustered by their direction in the picture; those that meet at a corner are never of one. Of all three
 /// directions that can be those of a right-angled corner (axes.h) those count that meet at most corners, then those
-/// with most edges. Depths are those of least squares with these slopes, with edges of one other direction parallel and
-/// faces plane; what is seen is in front. Then corners move so that every face is exactly a plane and edges keep their
-/// axes: Σ(Δx² + Δy² + Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in each of
-/// at most kMostRounds steps of Gauss and Newton. Up is the axis that is most upright in the picture, and exactly off
-/// the face below where one lies within 20° across it. Errors: ShapeInvalid where no three directions are right-angled,
-/// or faces that cannot be planes.
+/// with most edges; where that is a third of the corners or less and the solid is a prism, see prism.h. Depths are
+/// those of least squares with these slopes, with edges of one other direction parallel and faces plane; what is seen
+/// is in front. Then corners move so that every face is exactly a plane and edges keep their axes: Σ(Δx² + Δy² +
+/// Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in each of at most kMostRounds
+/// steps of Gauss and Newton. Up is the axis that is most upright in the picture, and exactly off the face below where
+/// one lies within 20° across it. Errors: ShapeInvalid where no three directions are right-angled, or faces that cannot
+/// be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 
 /// The depth of the edge that is nearest to p, there; all in shares of the size.
