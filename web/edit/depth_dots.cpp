@@ -45,7 +45,9 @@ struct Track {
 
 class Dots {
  public:
-  Dots(const document::Drawing& drawing, const descriptive::ModelPiece& solid) : drawing_(drawing), solid_(solid) {}
+  /// `faced`: dots are at the corners of its faces, which may be beside where they were drawn.
+  Dots(const document::Drawing& drawing, const descriptive::ModelPiece& solid, bool faced)
+      : drawing_(drawing), solid_(solid), faced_(faced) {}
 
   void addPins(const document::ElementRecipe& piece) {
     for (const document::DepthPin& pin : drawing_.pins) {
@@ -58,8 +60,7 @@ class Dots {
       if (isOwn) add(pin.line, pin.at, pin.z);
     }
   }
-  /// `atCorners`: of faces.
-  void addFree(const document::LineOutline& outline, bool atCorners) {
+  void addFree(const document::LineOutline& outline) {
     double whole = 0;
     std::vector<double> lengths;
     for (const document::LineRun& run : outline.runs) {
@@ -69,20 +70,20 @@ class Dots {
     }
     for (std::size_t i = 0; i < outline.runs.size() && whole > 0; ++i) {
       const document::LineRun& run = outline.runs[i];
-      const double count = atCorners ? 1 : std::max(1.0, std::round(kDots * lengths[i] / whole));
+      const double count = faced_ ? 1 : std::max(1.0, std::round(kDots * lengths[i] / whole));
       for (double k = 0; k < count; ++k) {
-        const double way = atCorners ? 0 : (k + 0.5) / count, at = run.from + (run.to - run.from) * way;
-        if (lengths[i] > 0 && !isTaken(run.line, at, atCorners)) add(run.line, at, std::nullopt);
+        const double way = faced_ ? 0 : (k + 0.5) / count, at = run.from + (run.to - run.from) * way;
+        if (lengths[i] > 0 && !isTaken(run.line, at)) add(run.line, at, std::nullopt);
       }
     }
   }
   std::vector<DepthDot> take() { return std::move(dots_); }
 
  private:
-  bool isTaken(LineId line, double at, bool atCorners) const {
-    const PicturePoint p = Track(*document::findLine(drawing_, line)).at(at);
+  bool isTaken(LineId line, double at) const {
+    const ModelPoint where = placeOf(Track(*document::findLine(drawing_, line)).at(at));
     return std::ranges::any_of(dots_, [&](const DepthDot& dot) {
-      if (atCorners && distance(PicturePoint{dot.where.x, -dot.where.y}, p) < kOneCorner * span()) return true;
+      if (faced_ && std::hypot(dot.where.x - where.x, dot.where.y - where.y) < kOneCorner * span()) return true;
       return dot.line == line && std::abs(dot.at - at) < kBesidePin;
     });
   }
@@ -97,15 +98,21 @@ class Dots {
   /// `pinned`: the depth that is given; else that of the nearest place of the rim.
   void add(LineId id, double at, std::optional<double> pinned) {
     const document::DrawnLine* line = document::findLine(drawing_, id);
-    if (line == nullptr || solid_.rim.empty()) return;
-    const PicturePoint p = Track(*line).at(at);
+    if (line == nullptr) return;
+    ModelPoint where = placeOf(Track(*line).at(at));
+    if (pinned) where.z = *pinned;
+    dots_.push_back({drawing_.id, id, at, where, {}, pinned.has_value()});
+  }
+  /// A drawn place at the depth of the rim nearest to it, or the corner of a face.
+  ModelPoint placeOf(PicturePoint p) const {
     const auto away = [&](const ModelPoint& r) { return std::hypot(r.x - p.x, r.y + p.y); };
-    const double z = pinned ? *pinned : std::ranges::min(solid_.rim, {}, away).z;
-    dots_.push_back({drawing_.id, id, at, {p.x, -p.y, z}, {}, pinned.has_value()});
+    const ModelPoint nearest = std::ranges::min(solid_.rim, {}, away);
+    return faced_ ? nearest : ModelPoint{p.x, -p.y, nearest.z};
   }
 
   const document::Drawing& drawing_;
   const descriptive::ModelPiece& solid_;
+  bool faced_ = false;
   std::vector<DepthDot> dots_;
 };
 
@@ -119,15 +126,15 @@ std::vector<DepthDot> dotsOfPiece(const document::Document& document, const pipe
   const document::Drawing* drawing = document::findDrawing(document, piece->drawing);
   const document::PictureEntry* entry = document::findPicture(document, piece->picture);
   const descriptive::ModelPiece* solid = solidOf(derived, part->id);
-  if (drawing == nullptr || entry == nullptr || solid == nullptr) return {};
+  if (drawing == nullptr || entry == nullptr || solid == nullptr || solid->rim.empty()) return {};
   const pipeline::Copies copies = shownCopies(ui, *part, entry->size);
   const pipeline::ToWorld& toWorld = *copies.begin();
   const double facing = dot(normalized(toWorld.along({0, 0, 1})), ui.camera.back());
   if (std::sqrt(std::max(0.0, 1 - facing * facing)) < kLeastDepth) return {};
-  Dots dots(*drawing, *solid);
+  Dots dots(*drawing, *solid, piece->kind == descriptive::PieceKind::Solid);
   dots.addPins(*piece);
   for (const document::LineOutline& outline : piece->outlines) {
-    dots.addFree(outline, piece->kind == descriptive::PieceKind::Solid);
+    dots.addFree(outline);
   }
   std::vector<DepthDot> all = dots.take();
   std::erase_if(all, [&](DepthDot& dot) {

@@ -192,13 +192,14 @@ struct Pill {
   ImU32 fill = 0, ink = 0;
 };
 
-/// A line of text with round ends, centred in `view` at the height `y`, or towards its head or foot where something
-/// else is; nothing where there is no room.
+/// A line or two of text with round ends, centred in `view` at the height `y`, or towards its head or foot where
+/// something else is; nothing where there is no room.
 void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way, const Pill& what) {
   ImGui::PushFont(env.fonts.text);
-  const std::string_view text =
-      shortened(env.fonts.text, what.text, static_cast<float>(view.width) - 28 - 2 * static_cast<float>(kClear));
-  const ImVec2 extent = extentOf(env.fonts.text, text);
+  const auto lines =
+      inTwoLines(env.fonts.text, what.text, static_cast<float>(view.width) - 28 - 2 * static_cast<float>(kClear));
+  const ImVec2 first = extentOf(env.fonts.text, lines[0]), second = extentOf(env.fonts.text, lines[1]);
+  const ImVec2 extent{std::max(first.x, second.x), lines[1].empty() ? first.y : first.y + second.y};
   std::vector<app::Rect> taken = env.ui().overlays;
   for (const app::Control& control : env.ui().controls) {
     if (control.kind == app::Control::Kind::Words) taken.push_back(control.at);
@@ -211,7 +212,9 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
     const ImVec2 low{static_cast<float>(at.x), static_cast<float>(at.y)};
     const ImVec2 high{static_cast<float>(at.right()), static_cast<float>(at.bottom())};
     list.AddRectFilled(low, high, what.fill, 20);
-    drawLine(list, {env.fonts.text, {low.x + 14, low.y + 7}, what.ink}, text);
+    const float middle = (low.x + high.x) / 2;
+    drawLine(list, {env.fonts.text, {middle - first.x / 2, low.y + 7}, what.ink}, lines[0]);
+    drawLine(list, {env.fonts.text, {middle - second.x / 2, low.y + 7 + first.y}, what.ink}, lines[1]);
     registerWords(env, what.text, low, high);
   }
   ImGui::PopFont();

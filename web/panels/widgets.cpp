@@ -276,6 +276,20 @@ std::string_view shortened(ImFont* font, Text what, float width, float share) {
   return words::kept(std::string(words::drawn(out)));
 }
 
+std::array<std::string_view, 2> inTwoLines(ImFont* font, Text what, float width) {
+  const std::string_view text = what.given ? what.words : words::tr(what.words);
+  const auto widthOf = [&](std::string_view part) { return extentOf(font, words::drawn(part)).x; };
+  if (widthOf(text) <= width) return {words::drawn(text), {}};
+  std::size_t best = std::string_view::npos;
+  float least = INFINITY;
+  for (std::size_t at = text.find(' '); at != std::string_view::npos; at = text.find(' ', at + 1)) {
+    const float wider = std::max(widthOf(text.substr(0, at)), widthOf(text.substr(at + 1)));
+    if (wider < least) std::tie(best, least) = std::pair(at, wider);
+  }
+  if (best == std::string_view::npos) return {shortened(font, what, width), {}};
+  return {shortened(font, asIs(text.substr(0, best)), width), shortened(font, asIs(text.substr(best + 1)), width)};
+}
+
 Fitted fitted(ImFont* font, Text what, float width) {
   // Rather smaller than fewer words, but no smaller than the smallest words of the DOM.
   constexpr float kLeastEm = 11;

@@ -91,6 +91,8 @@ void tooltip(Text tip);
 void label(ImFont* font, ImU32 colour, Text text);
 /// Text as far as the room goes, and three dots where it goes no further; as it is drawn.
 std::string_view shortened(ImFont* font, Text text, float width, float share = 1);
+/// Text in one line, or else in two lines of about one length; each as `shortened`. The second may be empty.
+std::array<std::string_view, 2> inTwoLines(ImFont* font, Text text, float width);
 /// Words for a narrow place: smaller where they are a little too wide, then the first one, then shortened.
 struct Fitted {
   std::string_view text;  ///< as it is drawn

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "engine/document/update.h"
@@ -11,6 +12,7 @@
 #include "engine/pipeline/world.h"
 #include "tests/support/line_creature.h"
 #include "tests/unit/web/rig.h"
+#include "web/edit/depth_dots.h"
 #include "web/edit/line_drawing.h"
 
 using namespace spineloft;
@@ -326,6 +328,42 @@ TEST_CASE("after the turn upright a box stands on four corners, and no turn is l
       document::update(document, document::PlaceParts{{{box, document::moved(document::Placement{}, motion), {}}}})
           .value();
   CHECK_FALSE(app::turnUpright(document, pipeline::derive(document, cache), box).has_value());
+}
+
+TEST_CASE("the dots of a solid with edges are at its corners, also where these are beside what was drawn") {
+  document::Document document = document::update({}, document::AddSketch{"paper", {1000, 800}}).value();
+  // Its front square: an oblique projection, which no view from afar looks like.
+  const std::vector<std::vector<PicturePoint>> lines{{{200, 300}, {500, 300}, {500, 600}, {200, 600}, {200, 300}},
+                                                     {{200, 300}, {310, 190}},
+                                                     {{500, 300}, {610, 190}},
+                                                     {{500, 600}, {610, 490}},
+                                                     {{310, 190}, {610, 190}, {610, 490}}};
+  for (const auto& line : lines) {
+    document = document::update(document, document::DrawLine{document.pictures[0]->id, line}).value();
+  }
+  REQUIRE(document.parts.size() == 1);
+  pipeline::Cache cache;
+  const pipeline::Derived derived = pipeline::derive(document, cache);
+  app::UiState ui;
+  ui.selection = document.parts[0]->id;
+  ui.layout.solid = {0, 0, 600, 600};
+  ui.camera.yaw = 0.6;
+  const auto dots = app::dotsOfPiece(document, derived, ui);
+  CHECK(dots.size() >= 7);
+  double most = 0;
+  for (const app::DepthDot& dot : dots) {
+    double away = INFINITY;
+    for (const auto& [x, y, z] : derived.parts[0].shape->mesh.positions) {
+      away = std::min(away, norm(dot.where - ModelPoint{x, y, z}));
+    }
+    CHECK(away < 1);
+  }
+  for (const PicturePoint drawn : {PicturePoint{200, 300}, {500, 600}, {610, 190}}) {
+    double away = INFINITY;
+    for (const app::DepthDot& dot : dots) away = std::min(away, distance(drawn, {dot.where.x, -dot.where.y}));
+    most = std::max(most, away);
+  }
+  CHECK(most > 5);
 }
 
 TEST_CASE("a box that was drawn from above is stood upright in one step") {
