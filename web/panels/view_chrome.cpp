@@ -214,7 +214,9 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
     list.AddRectFilled(low, high, what.fill, 20);
     const float middle = (low.x + high.x) / 2;
     drawLine(list, {env.fonts.text, {middle - first.x / 2, low.y + 7}, what.ink}, lines[0]);
-    drawLine(list, {env.fonts.text, {middle - second.x / 2, low.y + 7 + first.y}, what.ink}, lines[1]);
+    if (!lines[1].empty()) {
+      drawLine(list, {env.fonts.text, {middle - second.x / 2, low.y + 7 + first.y}, what.ink}, lines[1]);
+    }
     registerWords(env, what.text, low, high);
   }
   ImGui::PopFont();
