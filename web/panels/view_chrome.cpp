@@ -198,7 +198,8 @@ void pill(const PanelEnv& env, const app::Rect& view, double y, app::Toward way,
   ImGui::PushFont(env.fonts.text);
   const auto lines =
       inTwoLines(env.fonts.text, what.text, static_cast<float>(view.width) - 28 - 2 * static_cast<float>(kClear));
-  const ImVec2 first = extentOf(env.fonts.text, lines[0]), second = extentOf(env.fonts.text, lines[1]);
+  const ImVec2 first = extentOf(env.fonts.text, lines[0]),
+               second = lines[1].empty() ? ImVec2{} : extentOf(env.fonts.text, lines[1]);
   const ImVec2 extent{std::max(first.x, second.x), lines[1].empty() ? first.y : first.y + second.y};
   std::vector<app::Rect> taken = env.ui().overlays;
   for (const app::Control& control : env.ui().controls) {
