@@ -109,7 +109,7 @@ test('a bird with wings by the accessibility tree alone: all that is pressed is 
     await reader.press('button', 'Stick together');
     const [bird] = (await state(page)).steps;
     assert.deepEqual([bird.kind, bird.failure, bird.operands.length], ['join', null, 2]);
-    assert.match(await reader.said(), /are one piece now/);
+    assert.match(await reader.said(), /are together now/);
     await reader.press('button', 'Save');
     const { name } = await downloaded(page, () => reader.press('menuitem', /GLB/));
     assert.match(name, /\.glb$/);

@@ -133,7 +133,7 @@ std::string saidOf(Env env, const Step& step) {
   };
   switch (step.kind) {
     case StepKind::Join:
-      return said("{first} and {rest} are one piece now: {solid}.");
+      return said("{first} and {rest} are together now: {solid}.");
     case StepKind::Cut:
       return said("{first} is without {rest} now: {solid}.");
     case StepKind::Intersection:

@@ -24,29 +24,40 @@ float lineStart(float left, float room, float width) {
   return words::language().rightToLeft ? left + std::max(0.f, room - width) : left;
 }
 
-/// Right to left: lines are broken in the order of reading, then each is drawn in the order of sight.
+/// Broken at spaces, in the order of reading.
+std::vector<std::string> linesOf(ImFont* font, std::string_view text, float room) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end));
+    const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+    if (lines.empty() || extentOf(font, words::drawn(longer)).x > room) {
+      lines.push_back(word);
+    } else {
+      lines.back() = longer;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 void rightToLeftLines(ImFont* font, std::string_view text, float room) {
-  std::string line;
-  const auto put = [&] {
+  for (const std::string& line : linesOf(font, text, room)) {
     const std::string_view drawn = words::drawn(line);
     const ImVec2 at = ImGui::GetCursorScreenPos(), extent = extentOf(font, drawn);
     drawLine(*ImGui::GetWindowDrawList(),
              {font, {lineStart(at.x, room, extent.x), at.y}, ImGui::GetColorU32(ImGuiCol_Text)}, drawn);
     ImGui::Dummy({std::min(room, extent.x), extent.y});
-    line.clear();
-  };
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string longer =
-        line.empty() ? std::string(text.substr(0, end)) : line + " " + std::string(text.substr(0, end));
-    if (!line.empty() && extentOf(font, words::drawn(longer)).x > room) {
-      put();
-      continue;
-    }
-    line = longer;
-    text.remove_prefix(std::min(end + 1, text.size()));
   }
-  if (!line.empty()) put();
+}
+
+/// ImGui breaks lines after every point and comma, also within a number.
+bool hasDecimals(std::string_view text) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if ((text[i] == '.' || text[i] == ',') && isDigit(text[i - 1]) && isDigit(text[i + 1])) return true;
+  }
+  return false;
 }
 
 struct ButtonGround {
@@ -255,6 +266,10 @@ void label(ImFont* font, ImU32 colour, Text what) {
   const float room = wrap > 0 ? wrap - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
   if (words::language().rightToLeft) {
     rightToLeftLines(font, text, room);
+  } else if (hasDecimals(text)) {
+    std::string all;
+    for (const std::string& line : linesOf(font, text, room)) all += (all.empty() ? "" : "\n") + line;
+    ImGui::TextUnformatted(all.data(), all.data() + all.size());
   } else {
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
   }

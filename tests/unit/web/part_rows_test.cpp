@@ -196,7 +196,7 @@ TEST_CASE("a name whose row is out of sight is asked for in a dialog") {
 
 TEST_CASE("what was put together is lit from when it is there, for a moment, and it is said") {
   test::Stuck page;
-  CHECK(page.host.said("are one piece now"));
+  CHECK(page.host.said("are together now"));
   page.answer(page.lastAsked());
   page.app->wake();
   page.app->frame();
