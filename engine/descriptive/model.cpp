@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/descriptive/contacts.h"
 #include "engine/descriptive/dashes.h"
 #include "engine/descriptive/right_angles.h"
 #include "engine/descriptive/solids.h"
@@ -86,8 +87,9 @@ class Maker {
     square();
     pin();
     const DepthInput input{sheets_, pieces_, patches_, model_.orders, ties_, pins_, scale_};
-    const Result<Depths> depths = solveDepths(input);
+    Result<Depths> depths = solveDepths(input);
     if (!depths) return depths.failure();
+    joinContacts(input, depths.value());
     finish(depths.value());
     return std::move(model_);
   }
