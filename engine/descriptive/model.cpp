@@ -12,6 +12,7 @@
 #include "engine/descriptive/solids.h"
 #include "engine/descriptive/square.h"
 #include "engine/descriptive/wireframe.h"
+#include "engine/geometry/region.h"
 
 namespace spineloft::descriptive {
 namespace {
@@ -90,6 +91,7 @@ class Maker {
     Result<Depths> depths = solveDepths(input);
     if (!depths) return depths.failure();
     joinContacts(input, depths.value());
+    if (model_.up) levelUp(depths.value());
     finish(depths.value());
     return std::move(model_);
   }
@@ -270,6 +272,14 @@ class Maker {
   }
   double offPlane(const Patch& patch, const PieceDepth& depth) const {
     if (patch.faced() != nullptr) return patch.faced()->offPlane;
+    const PlaneFit fit = planeOf(patch, depth);
+    return fit.off / std::sqrt(1 + fit.right * fit.right + fit.up * fit.up);
+  }
+  /// z = right · x + up · y + c, by least squares over its rim.
+  struct PlaneFit {
+    double right = 0, up = 0, off = 0;  ///< off: how far z is from it, the most; a share of the size
+  };
+  PlaneFit planeOf(const Patch& patch, const PieceDepth& depth) const {
     const auto n = static_cast<Eigen::Index>(patch.mesh().rim());
     Eigen::MatrixXd plane(n, 3);
     Eigen::VectorXd z(n);
@@ -279,7 +289,24 @@ class Maker {
       z[i] = depth.middle[static_cast<std::size_t>(i)];
     }
     const Eigen::Vector3d fit = plane.colPivHouseholderQr().solve(z);
-    return (plane * fit - z).cwiseAbs().maxCoeff() / std::sqrt(1 + fit[0] * fit[0] + fit[1] * fit[1]);
+    return {fit[0], fit[1], (plane * fit - z).cwiseAbs().maxCoeff()};
+  }
+  /// Off the largest flat piece that lies within 20° across what right angles say: in a drawing that no view looks like
+  /// the two differ, and what is put on a table shall not slide.
+  void levelUp(const Depths& depths) {
+    constexpr double kLevel = 0.94;  // cosine of 20°
+    double most = 0;
+    const ModelPoint drawn = *model_.up;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      if (pieces_[i].kind != PieceKind::Flat) continue;
+      const PlaneFit fit = planeOf(patches_[i], depths.pieces[i]);
+      ModelPoint normal = normalized(ModelPoint{-fit.right, -fit.up, 1});
+      if (dot(normal, drawn) < 0) normal = normal * -1.0;
+      const double area = geometry::areaOf(sheets_[i].region);
+      if (dot(normal, drawn) < kLevel || area <= most) continue;
+      most = area;
+      model_.up = normal;
+    }
   }
 
   const Drawing& drawing_;

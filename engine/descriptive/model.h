@@ -36,7 +36,8 @@ struct Model {
   std::vector<std::uint32_t> openLines;                 ///< lines in no outline
   std::vector<std::vector<PicturePoint>> completed;     ///< ways along outlines that no line draws
   std::vector<std::array<std::uint32_t, 2>> conflicts;  ///< pairs of solids whose order cannot hold in depth
-  std::optional<ModelPoint> up;  ///< of length 1: what right angles of flat and round pieces say; none: nothing
+  /// Of length 1: what right angles of flat and round pieces say, off the largest flat one within 20°; none: nothing.
+  std::optional<ModelPoint> up;
   DepthStats depth;
   double size = 0;  ///< of the drawing, pixels
 };
