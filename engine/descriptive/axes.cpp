@@ -28,6 +28,18 @@ double meanAngle(const Direction& one, const Direction& other) {
   return angle < 0 ? angle + kPi : angle;
 }
 
+/// The angles between neighbours of three directions, of growing angle; the last is that from the third on to the
+/// first.
+std::array<double, 3> gapsOf(const std::array<double, 3>& a) { return {a[1] - a[0], a[2] - a[1], kPi + a[0] - a[2]}; }
+
+/// The gap between the two that are the front of an oblique projection.
+std::optional<std::size_t> frontOf(const std::array<double, 3>& angles) {
+  const auto gaps = gapsOf(angles);
+  const auto widest = std::ranges::max_element(gaps);
+  if (*widest < kPi / 2 - kFrontal) return std::nullopt;
+  return static_cast<std::size_t>(widest - gaps.begin());
+}
+
 /// Turns three directions, of growing angle, so that they are those of a right-angled corner (see Axes). The unknowns
 /// are the turns of the first two; the third turns the other way, since turning all alike changes no slope.
 class Turning {
@@ -39,12 +51,11 @@ class Turning {
       angles_[k] = directions[k]->angle;
       drawn_[k] = directions[k]->logLengths / directions[k]->edges;
     }
-    const Three gap = gaps(turn_);
-    const auto widest = static_cast<std::size_t>(std::ranges::max_element(gap) - gap.begin());
-    if (gap[widest] < kPi / 2 - kFrontal) return;
+    const auto widest = frontOf(angles_);
+    if (!widest) return;
     expected_ = drawn_;
-    const double front = (drawn_[widest] + drawn_[(widest + 1) % 3]) / 2;
-    double& deep = expected_[(widest + 2) % 3];
+    const double front = (drawn_[*widest] + drawn_[(*widest + 1) % 3]) / 2;
+    double& deep = expected_[(*widest + 2) % 3];
     deep = std::clamp(front, deep, deep + std::numbers::ln2);
     uneven_ = kUnevenOblique;
   }
@@ -95,10 +106,8 @@ class Turning {
     std::array<std::array<double, 2>, 6> by{};  ///< and by either unknown
   };
 
-  /// The angles between neighbours; the last is that from the third on to the first.
   Three gaps(const Three& turn) const {
-    const auto a = [&](std::size_t k) { return angles_[k] + turn[k]; };
-    return {a(1) - a(0), a(2) - a(1), kPi + a(0) - a(2)};
+    return gapsOf({angles_[0] + turn[0], angles_[1] + turn[1], angles_[2] + turn[2]});
   }
   /// A gap of 90° or more is made a little less by both its sides.
   void start() {
@@ -215,6 +224,15 @@ Directions directionsOf(std::span<const SectionPoint> ways, const std::function<
     for (const std::size_t e : members[d]) out.of[e] = d;
   }
   return out;
+}
+
+std::optional<std::size_t> goingBack(const Axes& axes, std::span<const Direction> directions) {
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::ranges::sort(order, {}, [&](std::size_t k) { return directions[axes.direction[k]].angle; });
+  std::array<double, 3> angles{};
+  for (std::size_t k = 0; k < 3; ++k) angles[k] = directions[axes.direction[order[k]]].angle;
+  const auto front = frontOf(angles);
+  return front ? std::optional(order[(*front + 2) % 3]) : std::nullopt;
 }
 
 std::optional<Axes> bestAxes(std::span<const Direction> directions, const std::function<double(const Axes&)>& score) {

@@ -37,9 +37,9 @@ inline constexpr std::size_t kNoAxis = 3;
 /// changes how deep the third goes. So the directions are turned by the angles δ for which
 /// Σ (δ_k/kTurned)² + Σ ((e_k − mean e)/kUneven)² is least, e_k = ln(L_k/E_k): L_k = l_k √(1 + s_k²) is how long the
 /// edges along k are in space, l_k the geometric mean of what is drawn, E_k what is expected: all alike. A drawing with
-/// two directions within kFrontal of a right angle is an oblique projection: no view from afar looks like it. Its front
-/// is as it is drawn, E = l, and its third edges, drawn in full (cavalier) or at half (cabinet), have that E_3 of l_3
-/// to 2 l_3 that is nearest to √(l_1 l_2); kUnevenOblique is in the place of kUneven.
+/// two directions at a right angle − kFrontal or more is an oblique projection: no view from afar looks like it. Its
+/// front is as it is drawn, E = l, and its third edges, drawn in full (cavalier) or at half (cabinet), have that E_3 of
+/// l_3 to 2 l_3 that is nearest to √(l_1 l_2); kUnevenOblique is in the place of kUneven.
 struct Axes {
   std::array<std::size_t, 3> direction{};
   std::array<double, 3> slope{};
@@ -49,6 +49,9 @@ struct Axes {
     return static_cast<std::size_t>(std::ranges::find(direction, d) - direction.begin());
   }
 };
+
+/// Which of three directions goes back where the other two are the front of an oblique projection; none: they are not.
+std::optional<std::size_t> goingBack(const Axes& axes, std::span<const Direction> directions);
 
 /// The three with the highest score, > 0; of equal ones those that have to turn least. None where no three qualify: one
 /// would turn by kOneDirection or more.

@@ -41,8 +41,9 @@ struct DepthInput {
 
 /// Shares of the drawing's size, at every point of the piece's mesh.
 struct PieceDepth {
-  std::vector<double> middle;       ///< z, larger is nearer
-  std::vector<double> front, back;  ///< how far the surfaces are from it along z; 0 on the rim of a round piece
+  std::vector<double> middle;  ///< z, larger is nearer
+  std::vector<double> front,
+      back;  ///< how far the surfaces are from it along z; 0 on the rim of a round piece (contacts.h)
 };
 
 struct DepthStats {

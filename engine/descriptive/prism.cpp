@@ -32,6 +32,14 @@ std::map<Corner, Corner> edgesBack(const Wireframe& solid, const Wireframe::Face
   return isPrism ? out : std::map<Corner, Corner>{};
 }
 
+bool hasLevelEdge(const Wireframe& solid, const Wireframe::Face& face) {
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const PicturePoint way = solid.corners[face[(i + 1) % face.size()]] - solid.corners[face[i]];
+    if (std::abs(way.y) < 0.105 * std::abs(way.x)) return true;
+  }
+  return false;
+}
+
 ModelPoint upOf(const FacedSolid& solid) {
   ModelPoint best{0, 1, 0};
   double most = -1;
@@ -50,10 +58,10 @@ ModelPoint upOf(const FacedSolid& solid) {
 
 }  // namespace
 
-std::optional<FacedSolid> prismOf(const Wireframe& wireframe, const DepthScale& scale) {
+std::optional<FacedSolid> prismOf(const Wireframe& wireframe, const DepthScale& scale, bool level) {
   for (std::size_t f = 0; f < wireframe.faces.size(); ++f) {
     const auto back = wireframe.isFront[f] ? edgesBack(wireframe, wireframe.faces[f]) : std::map<Corner, Corner>{};
-    if (back.empty()) continue;
+    if (back.empty() || (level && !hasLevelEdge(wireframe, wireframe.faces[f]))) continue;
     const auto drawn = [&](Corner c) { return scale.of(wireframe.corners[c]); };
     SectionPoint way{};
     for (const auto& [from, to] : back) way += (drawn(to) - drawn(from)) / static_cast<double>(back.size());

@@ -15,6 +15,8 @@ namespace {
 constexpr double kCorner = 0.2;
 /// More is a curve (bowOf).
 constexpr double kMostBow = 0.015;
+/// Ends of stretches that are nearer are one corner, a share of the size.
+constexpr double kOneCorner = 1e-6;
 
 /// A straight stretch between two corners of an outline.
 struct StraightStretch {
@@ -65,7 +67,10 @@ bool hasAllAxes(const std::array<int, 3>& count) { return std::ranges::count(cou
 std::optional<Axes> axesOf(const std::vector<StraightStretch>& all, const Directions& directions) {
   return bestAxes(directions.all, [&](const Axes& axes) {
     const auto counts = countsOf(all, directions, axes);
-    if (std::ranges::none_of(counts, isParallelogram)) return 0.0;
+    // What is drawn square is seen from the front, unless a parallelogram beside it goes back.
+    const auto back = goingBack(axes, directions.all);
+    const auto tells = [&](const auto& count) { return isParallelogram(count) && (!back || count[*back] > 0); };
+    if (std::ranges::none_of(counts, tells)) return 0.0;
     double length = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
       const bool counted = axes.of(directions.of[i]) != kNoAxis && !hasAllAxes(counts[all[i].outline]);
@@ -84,7 +89,8 @@ RightAngles rightAnglesOf(std::span<const Sheet> sheets, std::span<const Piece> 
   std::vector<SectionPoint> ways;
   for (const StraightStretch& one : all) ways.push_back(one.way());
   const Directions directions = directionsOf(ways, [&](std::size_t i, std::size_t k) {
-    return all[i].outline == all[k].outline && (all[i].to == all[k].from || all[k].to == all[i].from);
+    return all[i].outline == all[k].outline && (distance(all[i].to, all[k].from) < kOneCorner * size ||
+                                                distance(all[k].to, all[i].from) < kOneCorner * size);
   });
   const std::optional<Axes> axes = axesOf(all, directions);
   RightAngles out;
@@ -96,8 +102,8 @@ RightAngles rightAnglesOf(std::span<const Sheet> sheets, std::span<const Piece> 
     if (unitOf(axis).y > unitOf(upright).y) upright = axis;
   }
   const double sign = (axes->slope[upright] < 0) == (seenFrom == SeenFrom::Above) ? -1 : 1;
-  const SectionPoint drawnUp = unitOf(upright);
-  out.up = normalized(ModelPoint{drawnUp.x, drawnUp.y, sign * axes->slope[upright]});
+  const SectionPoint up = axes->unit[upright];
+  out.up = normalized(ModelPoint{up.x, up.y, sign * axes->slope[upright]});
   const StraightStretch* last = nullptr;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const StraightStretch& one = all[i];

@@ -125,7 +125,9 @@ class Squarer {
     const auto [axes, meeting] = axesOf(directions_, edges_, drawn_.size());
     // Two corners of six say nothing of right angles: any three directions of a tent can be axes.
     const bool isWeak = !axes || 3 * meeting <= static_cast<std::ptrdiff_t>(drawn_.size());
-    if (std::optional<FacedSolid> prism = isWeak ? prismOf(wireframe_, scale_) : std::nullopt) return *std::move(prism);
+    if (std::optional<FacedSolid> prism = isWeak ? prismOf(wireframe_, scale_, axes.has_value()) : std::nullopt) {
+      if (!axes || prism->moved <= kMostMoved) return *std::move(prism);
+    }
     if (!axes) return Failure{Error::ShapeInvalid, "no three of its edges meet at right angles"};
     axes_ = *axes;
     lift();
@@ -323,6 +325,10 @@ Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale) 
 
 double depthOnEdge(const FacedSolid& solid, SectionPoint p) {
   double depth = 0, least = std::numeric_limits<double>::infinity();
+  // A corner is where it was moved to.
+  const ModelPoint nearest =
+      std::ranges::min(solid.corners, {}, [&](const ModelPoint& c) { return distance(p, {c.x, c.y}); });
+  if (distance(p, {nearest.x, nearest.y}) <= solid.moved) return nearest.z;
   for (const Wireframe::Face& face : solid.faces) {
     for (std::size_t i = 0; i < face.size(); ++i) {
       const ModelPoint a = solid.corners[face[i]], b = solid.corners[face[(i + 1) % face.size()]];

@@ -1,4 +1,4 @@
-// Right angles: how deep the corners of a drawn solid lie, from the directions of its edges alone.
+// How deep the corners of a drawn solid lie, from right angles between its edges, or as a prism (prism.h).
 #pragma once
 
 #include <vector>
@@ -24,14 +24,15 @@ struct FacedSolid {
 /// is in front. Then corners move so that every face is exactly a plane and edges keep their axes: Σ(Δx² + Δy² +
 /// Δz²/20) + 9 Σ|(I − a aᵀ)(X_b − X_a)|² is least, a the orthonormal axes, fitted anew in each of at most kMostRounds
 /// steps of Gauss and Newton. Up is the axis that is most upright in the picture, and exactly off the face below where
-/// one lies within 20° across it. Errors: ShapeInvalid where no three directions are right-angled, or faces that cannot
-/// be planes.
+/// one lies within 20° across it. Errors: ShapeInvalid where no three directions are right-angled and it is no prism,
+/// or faces that cannot be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 
-/// The depth of the edge that is nearest to p, there; all in shares of the size.
+/// The depth of the corner that was drawn at p, or else of the edge that is nearest to it, there; all in shares of the
+/// size.
 double depthOnEdge(const FacedSolid& solid, SectionPoint p);
 
-/// Whether it is a solid with right angles: no corner has to move by more than kMostMoved.
+/// Whether it is such a solid: no corner has to move by more than kMostMoved.
 bool isSquare(const Wireframe& wireframe, double size);
 
 inline constexpr double kMostMoved = 0.06;

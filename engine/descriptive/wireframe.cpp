@@ -175,8 +175,8 @@ class Solid {
     double least = reach;
     for (Wireframe::Face base : front->faces) {
       std::erase_if(base, [&](Corner c) { return !drawn.contains(c); });
-      const std::optional<Prism> prism = prismOver(base, drawn, least);
-      if (!prism) continue;
+      const std::optional<Prism> prism = prismOver(base, drawn, reach);
+      if (!prism || prism->off >= least) continue;
       best = prism->missing;
       least = prism->off;
     }
@@ -224,6 +224,11 @@ class Solid {
     }
     return out;
   }
+  /// Level or upright, within 10°.
+  static bool isAlongPicture(PicturePoint way) {
+    const auto [low, high] = std::minmax(std::abs(way.x), std::abs(way.y));
+    return low < 0.176 * high;
+  }
   std::optional<Prism> prismOver(const Wireframe::Face& base, const Neighbours& drawn, double reach) const {
     const auto isBase = [&](Corner c) { return std::ranges::find(base, c) != base.end(); };
     std::map<Corner, Corner> image;
@@ -243,19 +248,24 @@ class Solid {
     std::set<Corner> known(base.begin(), base.end());
     for (const auto& [c, other] : image) known.insert(other);
     // A corner that no edge leads to is at a place of its own, or was not drawn.
+    const std::map<Corner, Corner> ledTo = image;
     std::map<Corner, PicturePoint> place;
     for (const Corner c : base) {
       place[c] = at(c) + way;
+      double least = reach;
       for (const auto& [other, ways] : drawn) {
-        if (image.contains(c) || known.contains(other) || distance(at(other), place[c]) > reach) continue;
+        if (ledTo.contains(c) || known.contains(other) || distance(at(other), place[c]) >= least) continue;
+        least = distance(at(other), place[c]);
         image[c] = other;
-        known.insert(other);
       }
-      if (image.contains(c)) place[c] = at(image[c]);
+      if (!image.contains(c)) continue;
+      known.insert(image[c]);
+      place[c] = at(image[c]);
     }
     if (!std::ranges::all_of(drawn, [&](const auto& one) { return known.contains(one.first); })) return std::nullopt;
     const auto isDrawn = [&](Corner a, Corner b) { return std::ranges::find(drawn.at(a), b) != drawn.at(a).end(); };
-    std::size_t found = 0;
+    std::size_t found = 0, sides = 0;
+    bool isUpright = false;
     const auto want = [&](std::optional<Corner> a, PicturePoint from, std::optional<Corner> b, PicturePoint to) {
       if (a && b && isDrawn(*a, *b)) {
         ++found;
@@ -269,7 +279,12 @@ class Solid {
       want(a, at(a), b, at(b));
       want(a, at(a), imageOf(a), place[a]);
       want(imageOf(a), place[a], imageOf(b), place[b]);
+      if (!ledTo.contains(a) || !ledTo.contains(b) || !isDrawn(ledTo.at(a), ledTo.at(b))) continue;
+      ++sides;
+      isUpright = isAlongPicture(way) && isAlongPicture(at(b) - at(a));
     }
+    // A roof on a wall, both seen from the front.
+    if (sides == 1 && isUpright) return std::nullopt;
     std::size_t all = 0;
     for (const auto& [corner, others] : drawn) all += others.size();
     return 2 * found == all && !out.missing.empty() ? std::optional(out) : std::nullopt;

@@ -16,7 +16,8 @@ struct Side {
 };
 
 /// The closed solid between a front and a back over the same rim (as many corners, at the same places).
-/// At those corners where the two stand apart, a wall joins them. Front must be above the back at every inner
+/// At those corners where the two stand apart, a wall joins them; elsewhere they share the corner. Where they stand
+/// apart at all, positions are those of the front, then those of the back. Front must be above the back at every inner
 /// point. Plane coordinates become x and y; the picture of `width` × `height` pixels gives UV, its
 /// pixel centres at integers. `sizes`: corners of each outline of the rim.
 struct PictureSize {

@@ -99,8 +99,11 @@ class Dots {
   void add(LineId id, double at, std::optional<double> pinned) {
     const document::DrawnLine* line = document::findLine(drawing_, id);
     if (line == nullptr) return;
-    ModelPoint where = placeOf(Track(*line).at(at));
-    if (pinned) where.z = *pinned;
+    const PicturePoint p = Track(*line).at(at);
+    ModelPoint where = placeOf(p);
+    // A pin of a solid with edges may be between its corners.
+    const bool isCorner = faced_ && std::hypot(where.x - p.x, where.y + p.y) < kOneCorner * span();
+    if (pinned && !isCorner) where = {p.x, -p.y, *pinned};
     dots_.push_back({drawing_.id, id, at, where, {}, pinned.has_value()});
   }
   /// A drawn place at the depth of the rim nearest to it, or the corner of a face.

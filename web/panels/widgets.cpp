@@ -266,7 +266,7 @@ void label(ImFont* font, ImU32 colour, Text what) {
   const float room = wrap > 0 ? wrap - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
   if (words::language().rightToLeft) {
     rightToLeftLines(font, text, room);
-  } else if (hasDecimals(text)) {
+  } else if (wrap >= 0 && hasDecimals(text)) {
     std::string all;
     for (const std::string& line : linesOf(font, text, room)) all += (all.empty() ? "" : "\n") + line;
     ImGui::TextUnformatted(all.data(), all.data() + all.size());

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>

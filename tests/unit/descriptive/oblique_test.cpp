@@ -1,4 +1,4 @@
-// Boxes and tables as children draw them: the front square, all that goes back along one slanted direction.
+// Solids as children draw them: the front as it is, all that goes back along one slanted direction.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -164,6 +164,32 @@ TEST_CASE("a tent, a ramp and a hexagonal bar keep the base that is drawn, and g
       }
     }
   }
+}
+
+TEST_CASE("a ramp that is drawn as seen from above a corner keeps its right angle") {
+  testing::KnownSolid ramp = prismSolid({{0, 0}, {1.2, 0}, {0, 0.8}});
+  for (ModelPoint& p : ramp.corners) {
+    const double x = (p.x + p.z) * std::sqrt(0.5), z = (p.z - p.x) * std::sqrt(0.5), down = 0.6;
+    p = {x, p.y * std::cos(down) - z * std::sin(down), p.y * std::sin(down) + z * std::cos(down)};
+  }
+  Rng rng(1);
+  const Drawing drawing = testing::edgeDrawing(ramp, 0, rng);
+  const Result<Model> model = modelOf(drawing);
+  REQUIRE(model.ok());
+  REQUIRE(model.value().pieces.size() == 1);
+  REQUIRE(model.value().pieces[0].kind == PieceKind::Solid);
+  const auto& positions = model.value().solids[0].mesh.positions;
+  // Lines are in the order of edges: 0–1 and 0–2 are those of the right angle.
+  const auto at = [&](PicturePoint p) {
+    const auto nearest = std::ranges::min_element(positions, {}, [&](const auto& q) {
+      return std::hypot(static_cast<double>(q[0]) - p.x, static_cast<double>(q[1]) + p.y);
+    });
+    return ModelPoint{(*nearest)[0], (*nearest)[1], (*nearest)[2]};
+  };
+  const ModelPoint corner = at(drawing.lines[0].points[0]);
+  const ModelPoint one = at(drawing.lines[0].points[1]) - corner, other = at(drawing.lines[1].points[1]) - corner;
+  CHECK(std::abs(dot(normalized(one), normalized(other))) < 0.02);
+  CHECK(norm(one) / norm(other) == doctest::Approx(1.5).epsilon(0.1));
 }
 
 }  // namespace

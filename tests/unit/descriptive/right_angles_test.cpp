@@ -243,6 +243,13 @@ TEST_CASE("what has no axes at right angles stays as it was: bars, a mat, ellips
   std::vector<std::vector<PicturePoint>> outlines = legs;
   outlines.push_back({{200, 450}, {480, 150}, {760, 520}});
   CHECK(risesIn(testing::drawn(outlines, never, PieceKind::Round)) == 0);
+  // A body seen from the front with slanted arms.
+  outlines = {{{350, 300}, {650, 300}, {650, 700}, {350, 700}},
+              testing::strip({360, 400}, {160, 600}, 40),
+              testing::strip({200, 240}, {360, 400}, 40)};
+  CHECK(risesIn(testing::drawn(outlines, never, PieceKind::Round)) == 0);
+  outlines = legs;
+  outlines.emplace_back();
   // A parallelogram with these legs would be a table.
   outlines.back() = {{200, 450}, {480, 380}, {760, 470}, {480, 540}};
   CHECK(risesIn(testing::drawn(outlines, never, PieceKind::Round)) > 0);

@@ -176,6 +176,10 @@ TEST_CASE("what is no drawing of edges stays outlines") {
   CHECK_FALSE(anySolid({square, line({{500, 200}, {500, 800}}), line({{200, 500}, {800, 500}})}));
   CHECK_FALSE(anySolid({square, line({{200, 200}, {500, 520}, {800, 200}})}));
   CHECK_FALSE(anySolid({square, line({{200, 200}, {800, 800}}), line({{800, 200}, {200, 800}})}));
+  // A house, its door side, and a pencil, seen from the front.
+  CHECK_FALSE(anySolid({square, line({{200, 200}, {500, 20}, {800, 200}})}));
+  CHECK_FALSE(anySolid({square, line({{200, 200}, {350, 80}, {650, 80}, {800, 200}})}));
+  CHECK_FALSE(anySolid({square, line({{800, 200}, {950, 500}, {800, 800}})}));
   // A curved line in place of an edge.
   Rng rng(3);
   Drawing box = testing::edgeDrawing(testing::seenFromSomewhere(testing::boxSolid(1, 1, 1), rng), 0, rng);
