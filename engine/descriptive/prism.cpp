@@ -44,11 +44,7 @@ ModelPoint upOf(const FacedSolid& solid) {
   ModelPoint best{0, 1, 0};
   double most = -1;
   for (const Wireframe::Face& face : solid.faces) {
-    ModelPoint normal{};
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      normal += cross(solid.corners[face[i]], solid.corners[face[(i + 1) % face.size()]]);
-    }
-    normal = normalized(normal);
+    const ModelPoint normal = normalOf(solid, face);
     if (-normal.y <= most) continue;
     most = -normal.y;
     best = normal * -1.0;

@@ -40,11 +40,7 @@ mesh::TriMesh facedMesh(const FacedSolid& solid, double depth, const DepthScale&
   }
   for (const Wireframe::Face& face : solid.faces) {
     // In the face's own plane, so that it is counter-clockwise there.
-    ModelPoint normal{};
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      normal += cross(solid.corners[face[i]], solid.corners[face[(i + 1) % face.size()]]);
-    }
-    normal = normalized(normal);
+    const ModelPoint normal = normalOf(solid, face);
     const ModelPoint right =
         normalized(cross(std::abs(normal.y) < 0.9 ? ModelPoint{0, 1, 0} : ModelPoint{1, 0, 0}, normal));
     const ModelPoint up = cross(normal, right);

@@ -141,7 +141,7 @@ class Squarer {
       out.corners.push_back({X_[i].x(), X_[i].y(), X_[i].z() - mean});
       out.moved = std::max(out.moved, (X_[i].head<2>() - drawn_[i]).norm());
     }
-    out.up = up();
+    out.up = upOf(out);
     for (const Plane& plane : planes_) out.offPlane = std::max(out.offPlane, std::abs(offPlane(plane, nullptr)));
     if (!(volume() > 0) || out.offPlane > 1e-3) return Failure{Error::ShapeInvalid, "its faces are no planes"};
     return out;
@@ -233,22 +233,20 @@ class Squarer {
     const Matrix3d axes = svd.matrixU() * svd.matrixV().transpose();
     return {axes.col(0), axes.col(1), axes.col(2)};
   }
-  ModelPoint up() const {
+  ModelPoint upOf(const FacedSolid& solid) const {
     constexpr double kBase = 0.94;  // cosine of 20°
     const std::array<Vector3d, 3> axes = axesNow();
-    Vector3d most = std::ranges::max(axes, {}, [](const Vector3d& axis) { return std::abs(axis.y()); });
-    if (most.y() < 0) most = -most;
-    const Vector3d axis = most;
+    const Vector3d most = std::ranges::max(axes, {}, [](const Vector3d& axis) { return std::abs(axis.y()); });
+    const ModelPoint axis = ModelPoint{most.x(), most.y(), most.z()} * (most.y() < 0 ? -1.0 : 1.0);
+    ModelPoint up = axis;
     double best = kBase;
-    for (const Wireframe::Face& face : wireframe_.faces) {
-      Vector3d normal = Vector3d::Zero();
-      for (std::size_t i = 0; i < face.size(); ++i) normal += X_[face[i]].cross(X_[face[(i + 1) % face.size()]]);
-      const double down = -normal.normalized().dot(axis);
-      if (down <= best) continue;
-      best = down;
-      most = -normal.normalized();
+    for (const Wireframe::Face& face : solid.faces) {
+      const ModelPoint down = normalOf(solid, face) * -1.0;
+      if (dot(down, axis) <= best) continue;
+      best = dot(down, axis);
+      up = down;
     }
-    return {most.x(), most.y(), most.z()};
+    return up;
   }
   void polish() {
     const std::vector<Vector3d> start = X_;
@@ -321,6 +319,14 @@ class Squarer {
 
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale) {
   return Squarer(wireframe, scale).make();
+}
+
+ModelPoint normalOf(const FacedSolid& solid, const Wireframe::Face& face) {
+  ModelPoint normal{};
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    normal += cross(solid.corners[face[i]], solid.corners[face[(i + 1) % face.size()]]);
+  }
+  return normalized(normal);
 }
 
 double depthOnEdge(const FacedSolid& solid, SectionPoint p) {

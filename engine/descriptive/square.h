@@ -28,6 +28,9 @@ struct FacedSolid {
 /// or faces that cannot be planes.
 Result<FacedSolid> squared(const Wireframe& wireframe, const DepthScale& scale);
 
+/// Of length 1, outwards: of the plane that fits the face.
+ModelPoint normalOf(const FacedSolid& solid, const Wireframe::Face& face);
+
 /// The depth of the corner that was drawn at p, or else of the edge that is nearest to it, there; all in shares of the
 /// size.
 double depthOnEdge(const FacedSolid& solid, SectionPoint p);

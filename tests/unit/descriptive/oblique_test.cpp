@@ -33,15 +33,18 @@ Drawing drawingOf(testing::KnownSolid solid, const Oblique& oblique, bool whole,
   return drawing;
 }
 
+/// The corner of a solid that is nearest to a place of its drawing.
+ModelPoint cornerAt(const mesh::TriMesh& mesh, PicturePoint p) {
+  const auto nearest = std::ranges::min_element(mesh.positions, {}, [&](const auto& q) {
+    return std::hypot(static_cast<double>(q[0]) - p.x, static_cast<double>(q[1]) + p.y);
+  });
+  return {(*nearest)[0], (*nearest)[1], (*nearest)[2]};
+}
+
 /// Mean lengths of edges along x, y and z of the box.
 std::array<double, 3> lengthsOf(const Drawing& whole, const mesh::TriMesh& mesh) {
   const auto edges = testing::edgesOf(testing::boxSolid(1, 1, 1));
-  const auto at = [&](PicturePoint p) {
-    const auto nearest = std::ranges::min_element(mesh.positions, {}, [&](const auto& q) {
-      return std::hypot(static_cast<double>(q[0]) - p.x, static_cast<double>(q[1]) + p.y);
-    });
-    return ModelPoint{(*nearest)[0], (*nearest)[1], (*nearest)[2]};
-  };
+  const auto at = [&](PicturePoint p) { return cornerAt(mesh, p); };
   std::array<double, 3> sums{};
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const std::uint32_t bit = edges[i][0] ^ edges[i][1];
@@ -178,14 +181,8 @@ TEST_CASE("a ramp that is drawn as seen from above a corner keeps its right angl
   REQUIRE(model.ok());
   REQUIRE(model.value().pieces.size() == 1);
   REQUIRE(model.value().pieces[0].kind == PieceKind::Solid);
-  const auto& positions = model.value().solids[0].mesh.positions;
   // Lines are in the order of edges: 0–1 and 0–2 are those of the right angle.
-  const auto at = [&](PicturePoint p) {
-    const auto nearest = std::ranges::min_element(positions, {}, [&](const auto& q) {
-      return std::hypot(static_cast<double>(q[0]) - p.x, static_cast<double>(q[1]) + p.y);
-    });
-    return ModelPoint{(*nearest)[0], (*nearest)[1], (*nearest)[2]};
-  };
+  const auto at = [&](PicturePoint p) { return cornerAt(model.value().solids[0].mesh, p); };
   const ModelPoint corner = at(drawing.lines[0].points[0]);
   const ModelPoint one = at(drawing.lines[0].points[1]) - corner, other = at(drawing.lines[1].points[1]) - corner;
   CHECK(std::abs(dot(normalized(one), normalized(other))) < 0.02);

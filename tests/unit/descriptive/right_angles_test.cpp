@@ -152,7 +152,8 @@ bool areJoined(const mesh::TriMesh& one, const mesh::TriMesh& other) {
 }
 
 struct Measured {
-  std::vector<double> lean, unlevel, upright;  ///< degrees; shares of the height; degrees
+  std::vector<double> lean, unlevel;  ///< degrees; shares of the height
+  std::vector<double> upright, axis;  ///< degrees from the normal of the top: up, and the most upright axis
   std::size_t apart = 0, wrong = 0;
   double backLean = 0;
 };
@@ -165,6 +166,9 @@ void measure(const Furniture& furniture, Measured& all) {
   const ModelPoint up = normalOf(model.solids[0].mesh);
   REQUIRE(model.up.has_value());
   all.upright.push_back(std::acos(std::min(1.0, dot(*model.up, up))) * kDegrees);
+  const RightAngles angles = rightAnglesOf(testing::sheetsOf(furniture.drawing), furniture.drawing.pieces, model.size);
+  REQUIRE(angles.up.has_value());
+  all.axis.push_back(std::acos(std::min(1.0, dot(*angles.up, up))) * kDegrees);
   double low = 1e30, high = -1e30;
   for (std::size_t leg = 1; leg < 5; ++leg) {
     const mesh::TriMesh& mesh = model.solids[leg].mesh;
@@ -206,6 +210,7 @@ TEST_CASE("tables and chairs without pins: legs upright, feet level, orders as d
     CHECK(share95(all.lean) <= 1.5);
     CHECK(share95(all.unlevel) <= 0.05);
     CHECK(share95(all.upright) <= 0.5);
+    CHECK(share95(all.axis) <= 1.5);
     CHECK(all.backLean <= 1);
     CHECK(all.apart == 0);
     CHECK(all.wrong == 0);
@@ -224,6 +229,7 @@ TEST_CASE("a table with its front drawn square, as children draw it, stands on u
   CHECK(share95(all.lean) <= 10);
   // Up is off the top, which is what things are put on.
   CHECK(share95(all.upright) <= 0.5);
+  CHECK(share95(all.axis) <= 10);
   CHECK(share95(all.unlevel) <= 0.09);
   CHECK(all.apart <= 3);  // of 144
   CHECK(all.wrong == 0);
