@@ -226,7 +226,7 @@ class Solid {
   }
   /// Level or upright, within 10°.
   static bool isAlongPicture(PicturePoint way) {
-    const auto [low, high] = std::minmax(std::abs(way.x), std::abs(way.y));
+    const auto [low, high] = std::minmax({std::abs(way.x), std::abs(way.y)});
     return low < 0.176 * high;
   }
   std::optional<Prism> prismOver(const Wireframe::Face& base, const Neighbours& drawn, double reach) const {
