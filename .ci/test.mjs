@@ -113,10 +113,17 @@ const share = (env) => nodeTests('share', testFiles(['tests/share']), { lanes },
 
 const shell = (env) => nodeTests('shell', testFiles(['tests/shell']), { lanes }, env);
 
+/**
+ * Only what runs for long is optimised: a page of a test ends soon after its start, and to optimise what starts it takes
+ * two thirds of what is compiled there. What is optimised once a page is that of visitors: in `npm run test:all`.
+ */
+const kLateOptimising = '--js-flags=--wasm-tiering-budget=300000000';
+
 /** The page tests, on one Chromium for all of them. */
 async function page(env) {
   const { chromium } = await import('playwright-core');
-  const server = await chromium.launchServer({ executablePath: browserPath(), args: browserFlags, headless: true });
+  const args = many(env) ? browserFlags : [...browserFlags, kLateOptimising];
+  const server = await chromium.launchServer({ executablePath: browserPath(), args, headless: true });
   try {
     return await nodeTests(
       'browser',
