@@ -45,10 +45,8 @@ int sideOf(const Json& args, std::string_view key, int fallback) {
 void show(Env env, PictureId id) {
   UiState& ui = env.ui;
   const document::Part* part = document::findPart(env.studio.document(), ui.selection);
-  // Shapes, lofts and puffs have outlines in other pictures, too.
-  const bool goesAlong = part != nullptr && ui.tool == ToolKind::Primitive &&
-                         (document::shapeOf(*part) != nullptr || document::sideOf(part->recipe) != nullptr);
-  if (part != nullptr && document::pictureOf(*part) != id && !goesAlong) ui.selection = {};
+  const bool staysInHand = partOfViews(env.studio.document(), ui) != nullptr;
+  if (part != nullptr && document::pictureOf(*part) != id && !staysInHand) ui.selection = {};
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), id);
   if (ui.picture != id && entry != nullptr) {
     sendStatus(env.host, words::tr("{name} is in view.", {{"name", words::nameOf(entry->name)}}));

@@ -157,12 +157,16 @@ std::optional<SeenShape> shapeShown(const document::Document& document, const Ui
   return seen;
 }
 
-const document::Part* shapeElsewhere(const document::Document& document, const UiState& ui) {
+const document::Part* partOfViews(const document::Document& document, const UiState& ui) {
   const document::Part* part = document::findPart(document, ui.selection);
-  const bool elsewhere = ui.tool == ToolKind::Primitive && part != nullptr &&
-                         (document::shapeOf(*part) != nullptr || document::sideOf(part->recipe) != nullptr) &&
-                         document::pictureOf(*part) != ui.picture;
-  return elsewhere ? part : nullptr;
+  const bool takesOutlines =
+      part != nullptr && (document::shapeOf(*part) != nullptr || document::sideOf(part->recipe) != nullptr);
+  return takesOutlines && ui.tool == ToolKind::Primitive ? part : nullptr;
+}
+
+const document::Part* shapeElsewhere(const document::Document& document, const UiState& ui) {
+  const document::Part* part = partOfViews(document, ui);
+  return part != nullptr && document::pictureOf(*part) != ui.picture ? part : nullptr;
 }
 
 bool isSeenAside(const document::Document& document, const document::Part& part, PictureId picture) {

@@ -32,8 +32,10 @@ std::optional<SeenShape> seenShape(const document::Document& document, PartId pa
 std::optional<SeenShape> shapeInHand(const document::Document& document, const UiState& ui);
 /// The same as the gesture in hand would make it.
 std::optional<SeenShape> shapeShown(const document::Document& document, const UiState& ui);
-/// The selected shape, loft or puff, while the tool is in hand, whose own picture is another one than that in view;
+/// The selected shape, loft or puff, while the tool is in hand: it can have outlines in other pictures than its own;
 /// else null.
+const document::Part* partOfViews(const document::Document& document, const UiState& ui);
+/// The same, where its own picture is another one than that in view; else null.
 const document::Part* shapeElsewhere(const document::Document& document, const UiState& ui);
 
 /// Whether a picture shows a loft or a puff from the right or the left, so that a line in it can be its side outline.

@@ -434,7 +434,7 @@ const std::string& App::addPicture(image::Picture picture, std::string_view name
   }
   if (!status) return answerWith(refuse(status.failure()));
   featureAt(ui_, studio_.document().pictures.back()->id);
-  ui_.selection = {};
+  if (partOfViews(studio_.document(), ui_) == nullptr) ui_.selection = {};  // it may be the side of what is in hand
   ui_.redraw = {};
   ui_.focus = Focus::Picture;
   settle();

@@ -338,6 +338,22 @@ TEST_CASE("a line round a puff or a loft in its side picture is its side, and al
   }
 }
 
+TEST_CASE("a picture that is opened may be the side of the shape in hand, which stays there; another part does not") {
+  Shapes rig;
+  rig.draw({{200, 240}, {200, 60}});
+  rig.openBar();
+  CHECK(*rig.state().number("selection") == 1);
+  REQUIRE(rig.works("side-picture", R"({"from": "right"})"));
+  rig.draw(ellipse({100, 100}, 30, 60));
+  CHECK(rig.parts() == 1);
+  CHECK(rig.last().outlines.size() == 1);
+  REQUIRE(rig.works("draw"));
+  REQUIRE(rig.works("select-picture", R"({"picture": 1})"));
+  REQUIRE(rig.works("select-part", R"({"id": 1})"));
+  rig.openBar();
+  CHECK(rig.state().find("selection")->isNull());
+}
+
 TEST_CASE("a picture becomes the side, and the first outline drawn there aligns it") {
   for (const platform::Device device : kDevices) {
     Shapes rig;

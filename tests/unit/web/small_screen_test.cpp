@@ -61,3 +61,32 @@ TEST_CASE("on a phone no button lies on another while a part that lies on others
     }
   }
 }
+
+TEST_CASE("where a view is high, its buttons have words, in as many rows as a quarter of it has room for") {
+  constexpr platform::CanvasSize kTablet{1024, 680, 1};
+  for (const platform::CanvasSize size : {kPhone, kOnItsSide, kTablet, kDesk}) {
+    CAPTURE(size.width);
+    Rig rig(size);
+    rig.openBar();
+    REQUIRE(rig.run("more-tools", R"({"on": true})").flag("ok") == true);
+    rig.settle();
+    const app::Rect& view = rig.app->ui().layout.picture;
+    const bool high = size.width == kTablet.width || size.width == kDesk.width;
+    std::vector<app::Rect> bar;
+    for (const char* words :
+         {"Line", "Puff", "Flat piece", "Shapes", "Lines", "Spin", "Layers", "Move picture", "Fit"}) {
+      CAPTURE(words);
+      for (const Shown& one : inSight(rig)) {
+        if (one.kind == "button" && one.words == words && view.contains(one.at.centre())) bar.push_back(one.at);
+      }
+    }
+    REQUIRE(bar.size() >= (size.width == kOnItsSide.width ? 4 : 9));
+    for (const app::Rect& one : bar) {
+      CHECK(view.contains({one.x, one.y}));
+      CHECK(view.contains({one.right(), one.bottom()}));
+      if (high) CHECK(one.height >= 48);
+      if (high) CHECK(one.y >= view.bottom() - 10 - 0.25 * view.height);
+      for (const app::Rect& other : bar) CHECK((&one == &other || !one.meets(other)));
+    }
+  }
+}
