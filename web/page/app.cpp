@@ -78,7 +78,8 @@ void App::layout() {
                                   : layoutFor(ui_.canvasWidth, ui_.canvasHeight, ui_.share, hasPanel);
   if (!ui_.sections.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
-  if (entry != nullptr && ui_.pictureView.fitted) {
+  // What is in hand stays where it is, also where buttons for fingers take another room than those for a mouse.
+  if (entry != nullptr && ui_.pictureView.fitted && !gestures_.usesTool()) {
     ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft, ui_.barFoot);
   }
 }

@@ -23,7 +23,9 @@ class Gestures {
   void cancel(const tools::ToolEnv& env);
   /// Leads the gesture in hand to where it is once more: an option of its tool has changed.
   void again(const tools::ToolEnv& env);
-  bool active() const { return tool_ != nullptr || splitting_; }
+  bool active() const { return usesTool() || splitting_; }
+  /// Something on a view is in hand.
+  bool usesTool() const { return tool_ != nullptr; }
 
   /// The CSS cursor for the place of the mouse.
   const char* cursor(const tools::ToolEnv& env) const;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/shared_loop.h"
 #include "engine/base/short_lanes.h"
 #include "engine/ribs/evidence/evidence.h"
 #include "engine/ribs/evidence/feature_sampler.h"
@@ -57,16 +58,13 @@ class Sampler {
   int count_ = 0;
 };
 
-// Map coordinates of all points of the curves, and how many band samples lie between each curve and
+// Map coordinates of all points of these curves, and how many band samples lie between each curve and
 // the next one, on either's half of the way.
-void placeBands(const GradientCurves& curves, const image::EdgeMap& edges, float apart, UnwrapScratch& scratch) {
-  const std::size_t size = curves.x.size();
-  scratch.mapX.resize(size);
-  scratch.mapY.resize(size);
-  scratch.steps.resize(size);
+void placeBands(const GradientCurves& curves, LoopShare of, const image::EdgeMap& edges, float apart,
+                UnwrapScratch& scratch) {
   const auto scaleX = static_cast<float>(1 / edges.scaleX), scaleY = static_cast<float>(1 / edges.scaleY);
   const int total = curves.layout.total();
-  for (int c = 0; c < total; ++c) {
+  for (int c = of.first; c < of.end; ++c) {
     const std::size_t row = curves.at(c, 0), next = curves.at(c + 1 < total ? c + 1 : 0, 0);
     const int reached = curves.reached[index(c)];
     const int both = std::min(reached, curves.reached[index(c + 1 < total ? c + 1 : 0)]);
@@ -137,37 +135,47 @@ void sampleCurve(const GradientCurves& curves, const IgnoredEdges* ignored, Piec
   }
 }
 
-}  // namespace
+bool isMarked(const IgnoredEdges* ignored) { return ignored != nullptr && !ignored->empty(); }
 
-void unwrapImage(const GradientCurves& curves, const image::EdgeMap& edges, const IgnoredEdges* ignored,
-                 UnwrappedImage& strip) {
-  const bool marked = ignored != nullptr && !ignored->empty();
-  strip.curves = curves.layout.total();
-  strip.levels = curves.levels;
-  strip.pixel = std::max(edges.scaleX, edges.scaleY);
-  strip.proximity.resize(curves.x.size());
-  strip.lab.resize(curves.x.size());
-  strip.ignored.assign(marked ? curves.x.size() : 0, 0);
-  placeBands(curves, edges, kBandStep * static_cast<float>(strip.pixel), strip.scratch);
+// Fills the rows of these curves.
+void sampleCurves(const GradientCurves& curves, LoopShare of, const image::EdgeMap& edges, const IgnoredEdges* ignored,
+                  UnwrappedImage& strip) {
   Sampler sampler(edges);
   for (int first = 0; first < strip.levels; first += kBandOfLabels) {
-    for (int c = 0; c < strip.curves; ++c) {
+    for (int c = of.first; c < of.end; ++c) {
       const int reached = curves.reached[index(c)];
       if (reached <= first) continue;
       const Piece piece{c, first, std::min(first + kBandOfLabels, reached)};
-      if (marked) {
+      if (isMarked(ignored)) {
         sampleCurve<true>(curves, ignored, piece, sampler, strip);
       } else {
         sampleCurve<false>(curves, ignored, piece, sampler, strip);
       }
     }
   }
-  for (int c = 0; c < strip.curves; ++c) {
+  for (int c = of.first; c < of.end; ++c) {
     const std::size_t end = curves.at(c, curves.reached[index(c)]), row = curves.at(c, 0);
     const std::size_t next = row + index(curves.levels);
     std::fill(&strip.proximity[row] + (end - row), &strip.proximity[row] + (next - row), 0.f);
     std::fill(&strip.lab[row] + (end - row), &strip.lab[row] + (next - row), std::array<float, 4>{});
   }
+}
+
+}  // namespace
+
+void unwrapImage(const GradientCurves& curves, const image::EdgeMap& edges, const IgnoredEdges* ignored,
+                 UnwrappedImage& strip) {
+  const bool marked = isMarked(ignored);
+  strip.curves = curves.layout.total();
+  strip.levels = curves.levels;
+  strip.pixel = std::max(edges.scaleX, edges.scaleY);
+  strip.proximity.resize(curves.x.size());
+  strip.lab.resize(curves.x.size());
+  strip.ignored.assign(marked ? curves.x.size() : 0, 0);
+  for (auto* plane : {&strip.scratch.mapX, &strip.scratch.mapY, &strip.scratch.steps}) plane->resize(curves.x.size());
+  const float apart = kBandStep * static_cast<float>(strip.pixel);
+  sharedLoop(strip.curves, [&](LoopShare of) { placeBands(curves, of, edges, apart, strip.scratch); });
+  sharedLoop(strip.curves, [&](LoopShare of) { sampleCurves(curves, of, edges, ignored, strip); });
 }
 
 }  // namespace spineloft::ribs

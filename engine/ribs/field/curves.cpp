@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/base/lanes.h"
+#include "engine/base/shared_loop.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -202,6 +203,24 @@ void allocate(const Spine& spine, const Levels& levels, int fan, GradientCurves&
   curves.reached.resize(total);
 }
 
+// Returns how many steps were taken.
+std::size_t traceSome(const Flow& flow, const Levels& levels, image::Size picture, LoopShare of,
+                      GradientCurves& curves) {
+  std::size_t steps = 0;
+  for (auto c = static_cast<std::size_t>(of.first); c < static_cast<std::size_t>(of.end); ++c) {
+    float* x = &curves.x[c * levels.size()];
+    float* y = &curves.y[c * levels.size()];
+    float* along = &curves.along[c * levels.size()];
+    curves.reached[c] = traceOne(flow, levels, picture, curves.seeds[c], {x, y, &steps});
+    along[0] = 0;
+    for (int k = 1; k < curves.reached[c]; ++k) {
+      const float dx = x[k] - x[k - 1], dy = y[k] - y[k - 1];
+      along[k] = along[k - 1] + std::sqrt(dx * dx + dy * dy);
+    }
+  }
+  return steps;
+}
+
 }  // namespace
 
 Levels makeLevels(int count, double step, double farthest, double length) {
@@ -235,21 +254,13 @@ void makeLevels(int count, double step, double farthest, double length, Levels& 
 void traceCurves(const Spine& spine, const D2Field& field, const Levels& levels, int fan, image::Size picture,
                  GradientCurves& curves) {
   allocate(spine, levels, fan, curves);
-  const std::size_t total = static_cast<std::size_t>(curves.layout.total());
   placeSeeds(spine, curves);
-  curves.steps = 0;
   const Flow flow{field, {field.length()}};
-  for (std::size_t c = 0; c < total; ++c) {
-    float* x = &curves.x[c * levels.size()];
-    float* y = &curves.y[c * levels.size()];
-    float* along = &curves.along[c * levels.size()];
-    curves.reached[c] = traceOne(flow, levels, picture, curves.seeds[c], {x, y, &curves.steps});
-    along[0] = 0;
-    for (int k = 1; k < curves.reached[c]; ++k) {
-      const float dx = x[k] - x[k - 1], dy = y[k] - y[k - 1];
-      along[k] = along[k - 1] + std::sqrt(dx * dx + dy * dy);
-    }
-  }
+  std::array<std::size_t, 2> steps{};
+  sharedLoop(curves.layout.total(), [&](LoopShare of) {
+    steps[static_cast<std::size_t>(of.who)] += traceSome(flow, levels, picture, of, curves);
+  });
+  curves.steps = steps[0] + steps[1];
 }
 
 PicturePoint GradientCurves::pointAlong(int curve, double length) const {

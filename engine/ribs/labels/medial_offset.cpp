@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/base/lanes.h"
+#include "engine/base/shared_loop.h"
 
 namespace spineloft::ribs {
 namespace {
@@ -152,8 +153,8 @@ class WidthChains {
   void fillCosts(const Offsets& offsets, std::vector<float>& out) {
     const std::size_t columns = offsets.columns();
     out.resize(index(problem_.ribs) * kWidths * columns);
-    t_.begin.assign(2 * kWidths * columns, 0);
-    std::int32_t* labels = t_.begin.data();
+    const std::size_t places = 2 * kWidths * columns;
+    t_.begin.assign(2 * places, 0);
     std::array<float, kMostOffsets> own{};
     for (std::size_t q = 0; q < offsets.count; ++q)
       own[q] = static_cast<float>(medialOffsetCost_ * std::abs(offsets.offset[q]));
@@ -162,19 +163,22 @@ class WidthChains {
     // Columns that no offset has are like an even one.
     std::array<float, kMostOffsets> left{};
     for (std::size_t q = 0; q < columns; ++q) left[q] = static_cast<float>((1 + offsets.offset[q]) / 2);
-    for (int i = 0; i < problem_.ribs; ++i) {
-      float* first = &out[index(i) * kWidths * columns];
-      if (columns == 1) {
-        addSide(rowOf(t_.left, i), left[0], t_.widths, first, labels);
-        addSide(rowOf(t_.right, i), 1 - left[0], t_.widths, first, labels + kWidths);
-        continue;
+    sharedLoop(problem_.ribs, [&](LoopShare of) {
+      std::int32_t* labels = t_.begin.data() + index(of.who) * places;
+      for (int i = of.first; i < of.end; ++i) {
+        float* first = &out[index(i) * kWidths * columns];
+        if (columns == 1) {
+          addSide(rowOf(t_.left, i), left[0], t_.widths, first, labels);
+          addSide(rowOf(t_.right, i), 1 - left[0], t_.widths, first, labels + kWidths);
+          continue;
+        }
+        for (std::size_t q = 0; q < columns; q += 4) {
+          const Float4 share = load4(&left[q]);
+          addSide(rowOf(t_.left, i), share, t_.widths, {first + q, labels + q, columns});
+          addSide(rowOf(t_.right, i), 1 - share, t_.widths, {first + q, labels + kWidths * columns + q, columns});
+        }
       }
-      for (std::size_t q = 0; q < columns; q += 4) {
-        const Float4 share = load4(&left[q]);
-        addSide(rowOf(t_.left, i), share, t_.widths, {first + q, labels + q, columns});
-        addSide(rowOf(t_.right, i), 1 - share, t_.widths, {first + q, labels + kWidths * columns + q, columns});
-      }
-    }
+    });
   }
 
   std::span<const Line> rowOf(const Lines& lines, int rib) const {

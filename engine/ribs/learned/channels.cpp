@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/shared_loop.h"
 #include "engine/base/short_lanes.h"
 
 namespace spineloft::ribs {
@@ -101,64 +102,76 @@ class Filler {
       : curves_(curves), strip_(strip), logOdds_(logOdds), s_(scratch), c_(channels), levels_(index(channels.levels)) {}
 
   void run() {
-    for (const int side : {0, 1}) gather(side);
+    for (const int side : {0, 1}) makeRoom(s_.sides[index(side)], c_.planes[index(side)]);
+    for (RowScratch& scratch : s_.rows) {
+      scratch.channels.resize(kChannels * levels_);
+      scratch.sums.resize(levels_);
+    }
+    ofRows([this](int side, int row, int) { gather(side, row); });
     ownColours();
-    for (const int side : {0, 1}) {
-      for (int r = 0; r < c_.rows; ++r) findDifferences(s_.sides[index(side)], r);
-    }
+    ofRows([this](int side, int row, int) { findDifferences(s_.sides[index(side)], row); });
     findStrong();
-    s_.row.resize(kChannels * levels_);
-    for (const int side : {0, 1}) {
-      Plane& plane = c_.planes[index(side)];
-      plane.shape(c_.rows, c_.levels, kChannels);
-      plane.unit = 1 / Plane::kMost;
-      for (int r = 0; r < c_.rows; ++r) {
-        fillRow(side, r);
-        interleave(s_.row.data(), levels_, plane.at(r, 0));
-      }
-    }
+    ofRows([this](int side, int row, int who) {
+      RowScratch& scratch = s_.rows[index(who)];
+      fillRow(side, row, scratch);
+      interleave(scratch.channels.data(), levels_, c_.planes[index(side)].at(row, 0));
+    });
   }
 
  private:
   using Side = ChannelScratch::Side;
+  using RowScratch = ChannelScratch::Row;
 
   std::size_t cell(int row) const { return index(row) * levels_; }
-  float* channel(Channel which) { return &s_.row[static_cast<std::size_t>(which) * levels_]; }
+  float* channel(RowScratch& scratch, Channel which) {
+    return &scratch.channels[static_cast<std::size_t>(which) * levels_];
+  }
 
-  // The means of the curves of every row.
-  void gather(int which) {
-    Side& side = s_.sides[index(which)];
+  // work(side, row, who) for all rows of both sides; `who` as of LoopShare.
+  template <class Work>
+  void ofRows(const Work& work) {
+    sharedLoop(2 * c_.rows, [&](LoopShare of) {
+      for (int i = of.first; i < of.end; ++i) work(i / c_.rows, i % c_.rows, of.who);
+    });
+  }
+
+  void makeRoom(Side& side, Plane& out) {
     const std::size_t size = cell(c_.rows);
     side.colours.resize(size);
     for (auto* plane : {&side.lightness, &side.red, &side.blue, &side.near, &side.along, &side.x, &side.y, &side.across,
                         &side.acrossWide, &side.beside})
       plane->resize(size);
     side.reached.resize(index(c_.rows));
-    for (int r = 0; r < c_.rows; ++r) {
-      const StripRow& row = c_.sources[index(which)][index(r)];
-      const std::size_t a = curves_.at(row.first, 0), b = curves_.at(row.second, 0), to = cell(r);
-      const int both = std::min(curves_.reached[index(row.first)], curves_.reached[index(row.second)]);
-      side.reached[index(r)] = both;
-      for (std::size_t k = 0; k < index(both); ++k) {
-        Float4 look = load4(strip_.lab[a + k].data()), other = load4(strip_.lab[b + k].data());
-        look[3] = logOdds_[a + k];
-        other[3] = logOdds_[b + k];
-        const Float4 mean = look + row.share * (other - look);
-        store4(mean, side.colours[to + k].data());
-        side.lightness[to + k] = mean[0];
-        side.red[to + k] = mean[1];
-        side.blue[to + k] = mean[2];
-      }
-      const auto mean = [&](const std::vector<float>& from, std::vector<float>& into) {
-        const float *first = &from[a], *second = &from[b];
-        float* out = &into[to];
-        for (std::size_t k = 0; k < index(both); ++k) out[k] = first[k] + row.share * (second[k] - first[k]);
-      };
-      mean(strip_.proximity, side.near);
-      mean(curves_.along, side.along);
-      mean(curves_.x, side.x);
-      mean(curves_.y, side.y);
+    out.shape(c_.rows, c_.levels, kChannels);
+    out.unit = 1 / Plane::kMost;
+  }
+
+  // The means of the curves of a row.
+  void gather(int which, int r) {
+    Side& side = s_.sides[index(which)];
+    const StripRow& row = c_.sources[index(which)][index(r)];
+    const std::size_t a = curves_.at(row.first, 0), b = curves_.at(row.second, 0), to = cell(r);
+    const int both = std::min(curves_.reached[index(row.first)], curves_.reached[index(row.second)]);
+    side.reached[index(r)] = both;
+    for (std::size_t k = 0; k < index(both); ++k) {
+      Float4 look = load4(strip_.lab[a + k].data()), other = load4(strip_.lab[b + k].data());
+      look[3] = logOdds_[a + k];
+      other[3] = logOdds_[b + k];
+      const Float4 mean = look + row.share * (other - look);
+      store4(mean, side.colours[to + k].data());
+      side.lightness[to + k] = mean[0];
+      side.red[to + k] = mean[1];
+      side.blue[to + k] = mean[2];
     }
+    const auto mean = [&](const std::vector<float>& from, std::vector<float>& into) {
+      const float *first = &from[a], *second = &from[b];
+      float* out = &into[to];
+      for (std::size_t k = 0; k < index(both); ++k) out[k] = first[k] + row.share * (second[k] - first[k]);
+    };
+    mean(strip_.proximity, side.near);
+    mean(curves_.along, side.along);
+    mean(curves_.x, side.x);
+    mean(curves_.y, side.y);
   }
 
   bool isIgnored(int side, int row, int level) const {
@@ -243,12 +256,12 @@ class Filler {
     }
   }
 
-  void fillRow(int which, int r) {
+  void fillRow(int which, int r, RowScratch& scratch) {
     const Side& side = s_.sides[index(which)];
     const std::size_t row = cell(r), reached = index(side.reached[index(r)]);
     const auto relative = [&](Channel to, const std::vector<float>& plane, float half) {
       const float* from = &plane[row];
-      float* out = channel(to);
+      float* out = channel(scratch, to);
       for (std::size_t k = 0; k < reached; ++k) out[k] = from[k] / (from[k] + half);
     };
     relative(Channel::Across, side.across, strong_);
@@ -256,37 +269,37 @@ class Filler {
     relative(Channel::Along, side.beside, strongBeside_);
     const auto unlike = [&](Channel to, const std::vector<float>& plane, float own) {
       const float* from = &plane[row];
-      float* out = channel(to);
+      float* out = channel(scratch, to);
       for (std::size_t k = 0; k < reached; ++k) out[k] = squashed(from[k] - own, kColourHalf);
     };
     const std::array<float, 3>& own = s_.own[index(r)];
     unlike(Channel::Lightness, side.lightness, own[0]);
     unlike(Channel::Red, side.red, own[1]);
     unlike(Channel::Blue, side.blue, own[2]);
-    float *units = channel(Channel::AcrossUnits), *logOdds = channel(Channel::LogOdds);
+    float *units = channel(scratch, Channel::AcrossUnits), *logOdds = channel(scratch, Channel::LogOdds);
     const float* across = &side.across[row];
     for (std::size_t k = 0; k < reached; ++k) units[k] = held(kLogUnits * quickLog(1 + across[k]));
     for (std::size_t k = 0; k < reached; ++k) logOdds[k] = kLogOdds * side.colours[row + k][3];
-    std::copy_n(&side.near[row], reached, channel(Channel::Near));
-    std::fill_n(channel(Channel::Reached), reached, 1.f);
-    std::fill_n(channel(Channel::Fan), reached, c_.sources[index(which)][index(r)].fan ? 1.f : 0.f);
-    fillGeometry(side, r);
-    fillMeans(side, row, reached);
+    std::copy_n(&side.near[row], reached, channel(scratch, Channel::Near));
+    std::fill_n(channel(scratch, Channel::Reached), reached, 1.f);
+    std::fill_n(channel(scratch, Channel::Fan), reached, c_.sources[index(which)][index(r)].fan ? 1.f : 0.f);
+    fillGeometry(side, r, scratch);
+    fillMeans(side, row, reached, scratch);
     for (std::size_t c = 0; c < kChannels; ++c)
-      std::fill(&s_.row[c * levels_] + reached, &s_.row[c * levels_] + levels_, 0.f);
+      std::fill(&scratch.channels[c * levels_] + reached, &scratch.channels[c * levels_] + levels_, 0.f);
     for (std::size_t k = 0; k < reached && !strip_.ignored.empty(); ++k) {
       if (!isIgnored(which, r, static_cast<int>(k))) continue;
-      for (std::size_t c = 0; c < kChannels; ++c) s_.row[c * levels_ + k] = 0;
+      for (std::size_t c = 0; c < kChannels; ++c) scratch.channels[c * levels_ + k] = 0;
     }
   }
 
-  void fillGeometry(const Side& side, int r) {
+  void fillGeometry(const Side& side, int r, RowScratch& scratch) {
     const std::size_t row = cell(r), reached = index(side.reached[index(r)]);
     const int near = std::clamp(r + (r + 1 < c_.rows ? 1 : -1), 0, c_.rows - 1);
     const std::size_t next = cell(near), both = std::min(reached, index(side.reached[index(near)]));
     const float *along = &side.along[row], *x = &side.x[row], *y = &side.y[row], *nextX = &side.x[next],
                 *nextY = &side.y[next];
-    float *slope = channel(Channel::Slope), *away = channel(Channel::Distance);
+    float *slope = channel(scratch, Channel::Slope), *away = channel(scratch, Channel::Distance);
     const auto slopeAt = [&](std::size_t k, float step) {
       const float dx = x[k] - nextX[k], dy = y[k] - nextY[k], apart = std::sqrt(dx * dx + dy * dy);
       const float ratio = (step < 1e-3f ? 1e-3f : step) / (apart < 1e-3f ? 1e-3f : apart);
@@ -300,11 +313,11 @@ class Filler {
   }
 
   // What depends on means between the spine and a label, and from there on.
-  void fillMeans(const Side& side, std::size_t row, std::size_t reached) {
+  void fillMeans(const Side& side, std::size_t row, std::size_t reached, RowScratch& scratch) {
     const float* along = &side.along[row];
-    float *inner = channel(Channel::Inside), *outer = channel(Channel::Outside), *steps = channel(Channel::Step);
-    auto& sums = s_.sums;
-    sums.resize(reached);
+    float *inner = channel(scratch, Channel::Inside), *outer = channel(scratch, Channel::Outside),
+          *steps = channel(scratch, Channel::Step);
+    auto& sums = scratch.sums;
     Float4 sum = all4(0);
     for (std::size_t k = 0; k < reached; ++k) {
       const float run = k > 0 ? along[k] - along[k - 1] : 0.f;

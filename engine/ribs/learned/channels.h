@@ -60,11 +60,14 @@ struct ChannelScratch {
     std::vector<float> across, acrossWide, beside;  ///< Lab differences along and across the rows
     std::vector<int> reached;                       ///< labels of every row that exist
   };
+  struct Row {
+    std::vector<float> channels;             ///< one after the other
+    std::vector<std::array<float, 4>> sums;  ///< of colour and log-odds along it
+  };
   std::array<Side, 2> sides;
+  std::array<Row, 2> rows;  ///< by LoopShare::who
   std::vector<float> samples;
-  std::vector<std::array<float, 3>> own;   ///< median Lab close to the spine, of every row
-  std::vector<std::array<float, 4>> sums;  ///< of colour and log-odds along a row
-  std::vector<float> row;                  ///< the channels of one row, one after the other
+  std::vector<std::array<float, 3>> own;  ///< median Lab close to the spine, of every row
 };
 
 /// Rows along the ribs of a stroke with that many ribs, whose curves have that many levels.

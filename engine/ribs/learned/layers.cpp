@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/base/shared_loop.h"
 #include "engine/base/short_lanes.h"
 
 namespace spineloft::ribs {
@@ -70,28 +71,31 @@ void runOutputs(const Layer& layer, const Site& site) {
   for (; first < layer.of.outputs; first += 4) runTile<pixels, 1>(layer, site, first);
 }
 
-void convolveSide(const Layer& layer, const Plane& in, const Plane* added, FloatPlane& out) {
+void convolveRow(const Layer& layer, const Plane& in, const Plane* added, int y, FloatPlane& out) {
   constexpr int kPixels = 4;
   const Convolution& of = layer.of;
-  assert(in.channels == of.inputs && of.inputs % 2 == 0 && of.outputs % 4 == 0);
-  assert(of.side * of.side * of.inputs <= Convolution::kMostTerms);
-  out.shape(in.rows / of.rowStep, in.columns / of.columnStep, of.outputs);
   const int before = of.side / 2 * of.apart;
-  for (int y = 0; y < out.rows; ++y) {
-    const auto site = [&](int x) {
-      return Site{in.at(y * of.rowStep - before, x * of.columnStep - before), in.rowStride(),
-                  index(of.columnStep * of.inputs), added ? added->at(y, x) : nullptr, out.at(y, x)};
-    };
-    int x = 0;
-    for (; x + kPixels <= out.columns; x += kPixels) runOutputs<kPixels>(layer, site(x));
-    for (; x < out.columns; ++x) runOutputs<1>(layer, site(x));
-  }
+  const auto site = [&](int x) {
+    return Site{in.at(y * of.rowStep - before, x * of.columnStep - before), in.rowStride(),
+                index(of.columnStep * of.inputs), added ? added->at(y, x) : nullptr, out.at(y, x)};
+  };
+  int x = 0;
+  for (; x + kPixels <= out.columns; x += kPixels) runOutputs<kPixels>(layer, site(x));
+  for (; x < out.columns; ++x) runOutputs<1>(layer, site(x));
 }
 
-// The greatest magnitude; the sizes of planes are multiples of 4.
-float mostOf(const std::vector<float>& values) {
+// work(side, row) for so many rows of both sides.
+template <class Work>
+void ofRows(int rows, const Work& work) {
+  sharedLoop(2 * rows, [&](LoopShare of) {
+    for (int i = of.first; i < of.end; ++i) work(index(i / rows), i % rows);
+  });
+}
+
+// The greatest magnitude of `count`, a multiple of 4, values.
+float mostOf(const float* values, std::size_t count) {
   Float4 most = all4(0);
-  for (std::size_t i = 0; i < values.size(); i += 4) most = most4(magnitude4(load4(&values[i])), most);
+  for (std::size_t i = 0; i < count; i += 4) most = most4(magnitude4(load4(values + i)), most);
   return std::max({most[0], most[1], most[2], most[3]});
 }
 
@@ -125,18 +129,31 @@ void FloatPlane::shape(int newRows, int newColumns, int newChannels) {
 
 void convolve(const Convolution& layer, const Planes& in, After after, const Planes* added, FloatPlanes& out) {
   const Layer all{layer, after, in[0].unit, added ? (*added)[0].unit : 0};
-  for (const std::size_t side : {0u, 1u}) convolveSide(all, in[side], added ? &(*added)[side] : nullptr, out[side]);
+  assert(in[0].channels == layer.inputs && layer.inputs % 2 == 0 && layer.outputs % 4 == 0);
+  assert(layer.side * layer.side * layer.inputs <= Convolution::kMostTerms);
+  for (FloatPlane& side : out) side.shape(in[0].rows / layer.rowStep, in[0].columns / layer.columnStep, layer.outputs);
+  ofRows(out[0].rows, [&](std::size_t side, int row) {
+    convolveRow(all, in[side], added ? &(*added)[side] : nullptr, row, out[side]);
+  });
 }
 
 void toFixed(const FloatPlanes& from, Planes& to) {
-  const float most = std::max(mostOf(from[0].values), mostOf(from[1].values));
-  const float perUnit = most > 0 ? Plane::kMost / most : 1;
-  for (const std::size_t side : {0u, 1u}) {
-    const FloatPlane& plane = from[side];
-    to[side].shape(plane.rows, plane.columns, plane.channels);
-    to[side].unit = most > 0 ? most / Plane::kMost : 1;
-    for (int y = 0; y < plane.rows; ++y) narrow(plane.at(y, 0), plane.rowStride(), perUnit, to[side].at(y, 0));
+  std::array<float, 2> ofShares{};
+  sharedLoop(2 * from[0].rows, [&](LoopShare of) {
+    float& most = ofShares[index(of.who)];
+    for (int i = of.first; i < of.end; ++i) {
+      const FloatPlane& plane = from[index(i / from[0].rows)];
+      most = std::max(most, mostOf(plane.at(i % plane.rows, 0), plane.rowStride()));
+    }
+  });
+  const float most = std::max(ofShares[0], ofShares[1]), perUnit = most > 0 ? Plane::kMost / most : 1;
+  for (Plane& side : to) {
+    side.shape(from[0].rows, from[0].columns, from[0].channels);
+    side.unit = most > 0 ? most / Plane::kMost : 1;
   }
+  ofRows(from[0].rows, [&](std::size_t side, int row) {
+    narrow(from[side].at(row, 0), from[side].rowStride(), perUnit, to[side].at(row, 0));
+  });
 }
 
 void joinSides(const Planes& sides, std::vector<std::int32_t>& sums, Planes& joined) {
@@ -151,20 +168,19 @@ void joinSides(const Planes& sides, std::vector<std::int32_t>& sums, Planes& joi
   }
   const std::int32_t count = 2 * shape.rows;
   for (std::int32_t& sum : sums) sum = (sum >= 0 ? sum + shape.rows : sum - shape.rows) / count;
-  for (const std::size_t side : {0u, 1u}) {
-    Plane& out = joined[side];
+  for (Plane& out : joined) {
     out.shape(shape.rows, shape.columns, 3 * shape.channels);
     out.unit = shape.unit;
-    for (int y = 0; y < shape.rows; ++y) {
-      const std::int16_t *own = sides[side].at(y, 0), *other = sides[1 - side].at(y, 0);
-      std::int16_t* to = out.at(y, 0);
-      for (std::size_t i = 0; i < row; i += channels, to += 3 * channels) {
-        std::copy_n(own + i, channels, to);
-        std::copy_n(other + i, channels, to + channels);
-        for (std::size_t c = 0; c < channels; ++c) to[2 * channels + c] = static_cast<std::int16_t>(sums[i + c]);
-      }
-    }
   }
+  ofRows(shape.rows, [&](std::size_t side, int y) {
+    const std::int16_t *own = sides[side].at(y, 0), *other = sides[1 - side].at(y, 0);
+    std::int16_t* to = joined[side].at(y, 0);
+    for (std::size_t i = 0; i < row; i += channels, to += 3 * channels) {
+      std::copy_n(own + i, channels, to);
+      std::copy_n(other + i, channels, to + channels);
+      for (std::size_t c = 0; c < channels; ++c) to[2 * channels + c] = static_cast<std::int16_t>(sums[i + c]);
+    }
+  });
 }
 
 void addCoarse(const FloatPlanes& coarse, const Planes& fine, FloatPlanes& out) {
