@@ -214,6 +214,26 @@ test('an emptied board can be undone from the start page', () =>
     assert.equal((await state(page)).parts.length, 1);
   }));
 
+test('a model whose steps were all taken back stays one: paper begins another, and its card does them again', () =>
+  onEmptyDevice(async (page) => {
+    await drawPart(page);
+    const { undo } = await state(page);
+    for (let step = 0; step < undo; ++step) await done(page, 'undo');
+    await onceKept(page);
+    const [{ id }] = await models(page);
+    await page.locator('#paper').click();
+    await page.waitForFunction(() => window.spineloft.state().picture !== null);
+    await idle(page);
+    assert.equal((await state(page)).redo, 0);
+    await done(page, 'open-model', { id });
+    assert.equal((await state(page)).redo, undo);
+    await page.locator('#models-cards .model-open').first().click();
+    await page.waitForFunction(() => window.spineloft.state().redo === 0);
+    await idle(page);
+    assert.equal((await state(page)).parts.length, 1);
+    assert.equal((await state(page)).undo, undo);
+  }));
+
 test('a photo is stored once however many models show it, and a small one takes little room', () =>
   onEmptyDevice(async (page) => {
     for (let i = 0; i < 3; ++i) {

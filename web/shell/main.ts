@@ -140,7 +140,7 @@ function main(): void {
     (sample) => {
       whenReady(() => void page.openSample(sample, sampleAddress(sample), sample === kSamples[0]));
     },
-    () => whenReady(() => page.drawOnPaper()),
+    () => whenReady(() => void page.drawOnPaper()),
     () => whenReady(() => page.show('help')),
   );
   connectTooltips(byId('bar'));

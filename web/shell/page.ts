@@ -293,7 +293,7 @@ export class Page {
     if (task) {
       const sample = kSamples.find(({ id }) => id === task.on);
       if (sample) await this.openSample(sample, sampleAddress(sample), true);
-      else this.drawOnPaper();
+      else await this.drawOnPaper();
       if (task.tool) this.run(task.tool);
     }
     this.refresh();
@@ -436,6 +436,7 @@ export class Page {
     for (const file of files) {
       try {
         const isModel = /\.(spineloft|glb)$/i.test(file.name) || (await isModelFile(file));
+        if (!isModel) await this.leaveUndone();
         await (isModel ? this.openProject(file) : this.openImage(file, file.name || 'Pasted picture'));
         this.canvas.focus({ preventScroll: true });
       } catch (thrown) {
@@ -450,7 +451,9 @@ export class Page {
       const response = await fetch(address);
       if (!response.ok)
         throw new Failure('FileUnreadable', 'The sample picture did not load. Check the connection and try again.');
-      await this.openImage(await response.blob(), t(sample.title));
+      const picture = await response.blob();
+      await this.leaveUndone();
+      await this.openImage(picture, t(sample.title));
       this.guide.offer(withGhost ? sample : null);
       this.canvas.focus({ preventScroll: true });
       this.refresh();
@@ -459,8 +462,14 @@ export class Page {
     }
   }
 
+  /** What is begun on the start page is a model of its own where all steps of the open one were taken back: they can still be done again. */
+  private async leaveUndone(): Promise<void> {
+    if (this.isOnStartPage && this.view && this.view.redo > 0) await this.keeper?.newModel();
+  }
+
   /** A blank sheet, with the pen in hand. */
-  drawOnPaper(): void {
+  async drawOnPaper(): Promise<void> {
+    await this.leaveUndone();
     this.run('new-sketch');
     this.refresh();
     this.canvas.focus({ preventScroll: true });

@@ -184,7 +184,11 @@ export class Keeper {
 
   openModel(id: string): Promise<void> {
     return this.change(async () => {
-      if (id === this.current && !this.readOnly) return;
+      if (id === this.current && !this.readOnly) {
+        const { pictures, redo } = this.engine.view;
+        for (let step = 0; pictures === 0 && step < redo; ++step) this.engine.run('redo'); // all steps were taken back
+        return;
+      }
       if (!(await this.finishCurrent())) return;
       if (!(await this.claims?.claim(id))) {
         await this.offerHeld(id);
