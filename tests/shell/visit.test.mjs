@@ -119,6 +119,14 @@ test('a step that is done out of order is not asked for again', () => {
   assert.equal(after, kFirstVisit[3]);
 });
 
+test('a step that the selected part cannot do waits, and the next one is told', () => {
+  const led = new Steps(kFirstVisit, { ...kNothing, parts: 1 });
+  const turned = { ...kNothing, parts: 1, turned: true };
+  assert.equal(led.next({ ...turned, selected: { kind: 'loft' } }), kFirstVisit[1]);
+  assert.equal(led.next({ ...turned, selected: { kind: 'lathe' } }), kFirstVisit[2]);
+  assert.equal(led.next({ ...turned, selected: null }), kFirstVisit[1], 'the next part has a slice');
+});
+
 test('the number that is told with a step is its place in the list, whatever was done before it', () => {
   for (const { steps } of [{ steps: kFirstVisit }, ...kTasks]) {
     const led = new Steps(steps, kNothing);

@@ -7,6 +7,7 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/modes.h"
+#include "web/edit/editing.h"
 #include "web/edit/section_editing.h"
 #include "web/model/swatches.h"
 #include "web/words/words.h"
@@ -19,6 +20,25 @@ using Env = const CommandEnv&;
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
 bool hasAnything(Env env) { return hasPicture(env) || hasParts(env); }
+/// Some of what is selected has it, or nothing is selected: then the next part has. Asked in every frame: without
+/// memory.
+template <class Has>
+bool orTheNextPart(Env env, const Has& has) {
+  const auto hasIt = [&](PartId id) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    return part != nullptr && has(*part);
+  };
+  return hasPicture(env) &&
+         (!env.ui.selection || hasIt(env.ui.selection) || std::ranges::any_of(env.ui.alsoSelected, hasIt));
+}
+bool takesSlice(Env env) {
+  return orTheNextPart(env, [](const document::Part& part) { return document::loftOf(part) != nullptr; });
+}
+bool takesEnds(Env env) {
+  return orTheNextPart(env, [](const document::Part& part) { return capsOf(part).has_value(); });
+}
+constexpr Condition kTakesSlice{takesSlice, Condition::Part | Condition::Parts, Error::NotABone};
+constexpr Condition kTakesEnds{takesEnds, Condition::Part | Condition::Parts, Error::NotABone};
 bool canUndo(Env env) { return topMode(env, &Mode::undo).canUndo(env); }
 bool canRedo(Env env) { return topMode(env, &Mode::redo).canRedo(env); }
 
@@ -130,10 +150,10 @@ constexpr std::array kTable = {
     Command{.id = "next-part", .label = "Next part", .icon = "chevron-right", .shortcut = "P", .group = "part",
             .hint = "Choose the next part", .enabled = hasParts, .run = rows::nextPart},
     Command{.id = "set-section", .label = "Slice", .icon = "slice", .group = "part",
-            .argument = {"section", sectionChoices}, .hint = "The shape of a cut across", .enabled = hasPicture,
+            .argument = {"section", sectionChoices}, .hint = "The shape of a cut across", .enabled = kTakesSlice,
             .run = rows::setSection},
     Command{.id = "set-caps", .label = "Ends", .icon = "cylinder", .group = "part", .argument = {"both", capChoices},
-            .hint = "How the ends are finished", .enabled = hasPicture, .run = rows::setCaps},
+            .hint = "How the ends are finished", .enabled = kTakesEnds, .run = rows::setCaps},
     Command{.id = "toggle-texture", .label = "Picture on it", .icon = "image", .shortcut = "T", .group = "part",
             .hint = "The picture on the part, or a plain colour", .enabled = hasPicture, .toggled = textured,
             .run = rows::toggleTexture},

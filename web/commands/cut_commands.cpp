@@ -106,9 +106,8 @@ vision::CutHints hintsFrom(const Json& args) {
 Result<vision::CutHints> checkedHints(vision::CutHints hints, image::Size size) {
   const bool there =
       hints.inside.empty() || std::ranges::any_of(hints.inside, [&](PicturePoint p) { return onPicture(p, size); });
-  if (!there || !allFinite(hints.inside)) {
-    return {Error::ValueOutOfRange, "hint"};
-  }
+  if (!allFinite(hints.inside)) return {Error::ValueOutOfRange, "hint"};
+  if (!there) return Error::RegionOutside;
   if (hints.box) {
     const auto [a, b] = *hints.box;
     if (!isFinite(a) || !isFinite(b)) return {Error::ValueOutOfRange, "box"};
@@ -199,7 +198,7 @@ Outcome mark(Env env, vision::CutMark mark) {
     return refuse({Error::ValueOutOfRange, "line"});
   }
   const bool there = std::ranges::any_of(mark.line, [&](PicturePoint p) { return onPicture(p, entry->size); });
-  if (!there) return refuse({Error::ValueOutOfRange, "line"});
+  if (!there) return refuse({Error::RegionOutside, {}});
   draft.hints.marks.push_back(std::move(mark));
   draft.undone.clear();
   search(env);

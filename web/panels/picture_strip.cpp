@@ -106,6 +106,7 @@ void menu(const PanelEnv& env, const app::Rect& strip) {
   const app::Rect card{std::clamp(x, 0., std::max(0., ui.canvasWidth - width)),
                        std::clamp(y, 0., std::max(0., ui.canvasHeight - height)), width, height};
   beginCard(env, "picture menu", card);
+  ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());  // cards of tools are there, too
   if (sides && menuRow(env, app::commandOf("side-picture"), isSide)) {
     env.sink.run(app::setSidePicture, ui.pictureMenu, isSide ? std::nullopt : std::optional(geometry::ViewFrom::Right));
   }

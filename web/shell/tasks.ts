@@ -11,6 +11,8 @@ export interface TaskStep {
   answers?: string;
   /** Whether it is done, `now` as against how things were when the task began. */
   done(now: ShellView, start: ShellView): boolean;
+  /** Whether it can be done with what is selected; until then the steps after it are told. */
+  can?(now: ShellView): boolean;
 }
 
 export interface Task {
@@ -37,6 +39,7 @@ const parts =
 const joined: Done = (now, start) => now.solids > start.solids;
 const hollow: Done = (now, start) => now.hollow > start.hollow;
 const mirrored: Done = (now, start) => now.mirrored > start.mirrored;
+const hasBone = (now: ShellView): boolean => !now.selected || now.selected.kind === 'loft';
 const otherShape: Done = (now) => now.shaped > 0;
 const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
 
@@ -50,7 +53,7 @@ const { sausage, vase, mug, bird, robot } = kExamples;
 /** What the first visit is led through after its first part. */
 export const kFirstVisit: TaskStep[] = [
   turn,
-  { say: 'Choose another slice: a star, a square …', done: otherShape },
+  { say: 'Choose another slice: a star, a square …', done: otherShape, can: hasBone },
   { say: 'Draw another line: it makes a second part', done: parts(2) },
   stick,
   save,
@@ -149,10 +152,10 @@ export class Steps {
     private readonly start: ShellView,
   ) {}
 
-  /** The first step that is not done; null: all are. */
+  /** The first step that is not done and can be; null: all are done, or the last ones while another cannot be. */
   next(now: ShellView): TaskStep | null {
     for (const step of this.steps) if (step.done(now, this.start)) this.done.add(step);
-    return this.steps.find((step) => !this.done.has(step)) ?? null;
+    return this.steps.find((step) => !this.done.has(step) && step.can?.(now) !== false) ?? null;
   }
 
   /** The number of a step in the list, as Help shows it. */

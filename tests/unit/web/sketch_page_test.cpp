@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/unit/web/rig.h"
+#include "tests/unit/web/shown.h"
 #include "web/scene/thumbnails.h"
 #include "web/ui/views.h"
 
@@ -315,6 +316,31 @@ app::ClientPoint inStrip(Rig& rig, std::uint32_t id) {
 }
 
 }  // namespace
+
+TEST_CASE("the menu of a picture lies over the cards of tools, whatever was pressed before") {
+  for (const platform::CanvasSize& size : {platform::CanvasSize{390, 760, 1}, platform::CanvasSize{1200, 700, 1}}) {
+    CAPTURE(size.width);
+    Rig rig(size);
+    rig.openBar();
+    rig.openBar();
+    rig.run("shapes");
+    rig.settle();
+    const auto press = [&](const char* words) {
+      for (const test::Shown& one : test::inSight(rig)) {
+        if (one.words != words || one.kind == "thumbnail") continue;
+        rig.click(one.at.centre().x, one.at.centre().y);
+        rig.settle();
+        return true;
+      }
+      return false;
+    };
+    const auto strip = inStrip(rig, 2);
+    rig.click(strip.x, strip.y);  // in view already: its menu
+    REQUIRE(press("Side picture"));
+    const app::Json now = rig.state();
+    CHECK_FALSE((*now.find("pictureList")->array())[1].find("view")->isNull());
+  }
+}
 
 TEST_CASE("a strip shows the pictures where there are several, a tap chooses one") {
   const platform::CanvasSize sizes[] = {{1200, 700, 1}, {1024, 690, 1}, {390, 760, 1}, {720, 400, 1}};
