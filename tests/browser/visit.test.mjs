@@ -182,6 +182,24 @@ test('on a phone no advice is over a photo: it stands in the line at the foot, a
     assert.equal(await hint.isVisible(), false);
   }));
 
+test('on a phone the line at the foot shows a step until it can be read, then what is said, and the step again', () =>
+  onPage(kit, { ...kPhone, alone: true, firstVisit: true }, async (page) => {
+    await openWithPart(page, tube.png, tube.middle);
+    const isShown = (id) =>
+      page.evaluate((name) => document.getElementById(name).getBoundingClientRect().width > 50, id);
+    const becomes = (id) =>
+      page.waitForFunction((name) => document.getElementById(name).getBoundingClientRect().width > 50, id);
+    await run(page, 'shapes');
+    assert.deepEqual([await isShown('coach'), await isShown('status')], [true, false]);
+    await page.waitForTimeout(6100);
+    await run(page, 'puff');
+    await run(page, 'shapes');
+    await becomes('status');
+    assert.equal(await isShown('coach'), false);
+    await becomes('coach');
+    assert.equal(await isShown('status'), false);
+  }));
+
 test('Home shows the start page and keeps the model; Help tells and begins', () =>
   onPage(kit, { alone: true }, async (page) => {
     await openWithPart(page, tube.png, tube.middle);

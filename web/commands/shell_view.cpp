@@ -42,6 +42,7 @@ void showPicture(const document::Document& document, const UiState& ui, const do
   picture.finished = entry.isSketch() && looksFinished(entry);
   picture.topLeft = corner(-0.5, -0.5);
   picture.bottomRight = corner(entry.size.width - 0.5, entry.size.height - 0.5);
+  picture.buttons = ui.layout.picture.bottom() - ui.barFoot;
   picture.drawn.reset();
   if (!ui.sections.board) picture.drawn = drawnOn(document, entry);
 }
@@ -146,7 +147,8 @@ void writePicture(const ShellView& view, JsonWriter& json) {
   }
   json.key("topLeft").beginObject().key("x").number(picture.topLeft.x).key("y").number(picture.topLeft.y).endObject();
   json.key("bottomRight").beginObject().key("x").number(picture.bottomRight.x);
-  json.key("y").number(picture.bottomRight.y).endObject().endObject();
+  json.key("y").number(picture.bottomRight.y).endObject();
+  json.key("buttons").number(picture.buttons).endObject();
 }
 
 void writeSelected(const ShellView& view, JsonWriter& json) {

@@ -22,6 +22,7 @@ struct ViewPicture {
   std::size_t strokes = 0;
   bool sketch = false, finished = false;  ///< as looksFinished
   ClientPoint topLeft, bottomRight;       ///< its corners on the canvas
+  double buttons = 0;                     ///< y on the canvas where the buttons at the foot of its view begin
   /// Around the pen's lines on it, without any around the line of its first part: left, top, right, bottom, its pixels.
   /// None also while a slice is drawn in its place.
   std::optional<std::array<double, 4>> drawn;

@@ -273,7 +273,7 @@ double shapesAtHead(const PanelEnv& env) {
   const double chip = layout.stacked ? 0 : kChipRoom, column = app::buttonsAtSide(view) ? kColumnRoom : 0;
   const double height = shapeCard(env, {view.x + chip + kMargin, view.y + kMargin,
                                         view.width - chip - column - 2 * kMargin, view.height - 2 * kMargin});
-  if (layout.stacked && height > 0) env.ui().barHead = height + kMargin;
+  if (height > 0) env.ui().barHead = height + kMargin;
   return height;
 }
 

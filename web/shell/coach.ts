@@ -12,6 +12,9 @@ import { t } from './words/words.ts';
 
 const kClosed = 'spineloft.coach';
 
+/** How long a sentence at the foot is new, milliseconds: time to read two lines. */
+export const kNewMs = 6000;
+
 /** A step as it is told. */
 export interface Advised {
   words: string;
@@ -29,6 +32,12 @@ export class Coach {
   private task: Task | null = null;
   private isWanted = readWanted();
   private isTold = false;
+  private since = -Infinity;
+
+  /** Whether nobody can have read yet what is told. */
+  get isNew(): boolean {
+    return this.isTold && performance.now() - this.since < kNewMs;
+  }
 
   constructor() {
     byId('coach-close').append(icon('x'));
@@ -71,7 +80,11 @@ export class Coach {
   /** Tells this in the status line; null: nothing is to be told there. */
   tell(step: Advised | null): void {
     this.isTold = step !== null && this.isWanted;
-    if (step && this.words.textContent !== step.words) this.words.textContent = step.words;
+    if (step && this.words.textContent !== step.words) {
+      this.words.textContent = step.words;
+      this.since = performance.now();
+      byId('status').removeAttribute('data-new'); // where one line has room for one of the two
+    }
     this.show();
   }
 

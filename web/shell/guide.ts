@@ -11,10 +11,11 @@ import type { Example } from './task_drawings.ts';
 import { canvasLength, canvasUnit, putOver } from './text_size.ts';
 import { t } from './words/words.ts';
 
-/** Units of the canvas: around the hint, beside the view's title, over the view's buttons, under the strip of several pictures. */
+type Picture = NonNullable<ShellView['picture']>;
+
+/** Units of the canvas: around the hint, beside the view's title, under the strip of several pictures. */
 const kGap = 12,
   kTitleRoom = 72,
-  kToolsRoom = 56,
   kStripRoom = 60;
 /** Under this width there is a strip of tabs below the views. */
 const kCompactWidth = 1000;
@@ -64,8 +65,7 @@ export class Guide {
     if (advice === '' || !view.picture) return step;
     const told = step ?? { words: t(advice), example: null };
     if (this.hint.textContent !== told.words) this.hint.textContent = told.words;
-    const { topLeft, bottomRight } = view.picture;
-    this.hint.hidden = !this.placeHint(topLeft, bottomRight, view.pictures > 1 ? kStripRoom : 0);
+    this.hint.hidden = !this.placeHint(view.picture, view.pictures > 1 ? kStripRoom : 0);
     return this.hint.hidden ? told : null;
   }
 
@@ -99,7 +99,7 @@ export class Guide {
   }
 
   /** True where it does not lie over the picture. */
-  private placeHint(topLeft: { x: number; y: number }, bottomRight: { x: number; y: number }, strip: number): boolean {
+  private placeHint({ topLeft, bottomRight, buttons }: Picture, strip: number): boolean {
     const box = byId('canvas');
     const unit = canvasUnit();
     const width = box.clientWidth / unit;
@@ -113,7 +113,7 @@ export class Guide {
     const x = Math.max(left, Math.min(middle, right - offsetWidth));
     // Under the picture where nothing else is, otherwise beside the view's title.
     const below = bottomRight.y + kGap;
-    const fitsBelow = !compact && below + offsetHeight + kToolsRoom <= box.clientHeight / unit;
+    const fitsBelow = !compact && below + offsetHeight <= buttons;
     const y = fitsBelow ? below : kGap + strip;
     const isClear = fitsBelow || y + offsetHeight <= topLeft.y;
     this.hint.style.transform = `translate(${canvasLength(Math.round(x))}, ${canvasLength(Math.round(y))})`;

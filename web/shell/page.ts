@@ -7,7 +7,7 @@ import { byId, setAttribute } from './dom.ts';
 import type { Engine, EngineEvent, Offer } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
 import { download, isModelFile, pickModel, pickPicture } from './files.ts';
-import { Coach } from './coach.ts';
+import { Coach, kNewMs } from './coach.ts';
 import { loadScript } from './fonts.ts';
 import { Guide } from './guide.ts';
 import { showHelp } from './help.ts';
@@ -47,6 +47,7 @@ export class Page {
   /** The status line was set in this turn: nobody has heard it yet. */
   private saysStep = false;
   private readOnly = false;
+  private newUntil = 0;
   /** Where what the status line says is over as soon as the visitor is elsewhere; null: it stays. */
   private passing: string | null = null;
   private turning = false;
@@ -332,7 +333,11 @@ export class Page {
   }
 
   say(text: string): void {
-    byId('status').textContent = t(text);
+    const status = byId('status');
+    status.textContent = t(text);
+    status.toggleAttribute('data-new', !this.coach.isNew);
+    clearTimeout(this.newUntil);
+    this.newUntil = window.setTimeout(() => status.removeAttribute('data-new'), kNewMs);
     this.passing = null;
   }
 

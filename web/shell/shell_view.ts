@@ -18,7 +18,8 @@ export interface ShellView {
   checked: boolean;
   /**
    * The one in view, with its corners on the canvas; `finished`: something is drawn on it that a spine could go through;
-   * `drawn`: left, top, right and bottom of the pen's lines on it, without any of the line of its first part.
+   * `drawn`: left, top, right and bottom of the pen's lines on it, without any of the line of its first part; `buttons`:
+   * where on the canvas those at the foot of its view begin.
    */
   picture: {
     width: number;
@@ -29,6 +30,7 @@ export interface ShellView {
     drawn: [left: number, top: number, right: number, bottom: number] | null;
     topLeft: { x: number; y: number };
     bottomRight: { x: number; y: number };
+    buttons: number;
   } | null;
   selected: { id: number; name: string; kind: Part['kind']; ribs: number } | null;
   tool: string;

@@ -227,7 +227,7 @@ TEST_CASE("bad regions are refused with a sentence, and nothing changes") {
   CHECK(errorOf(R"({"contours":[[[null,5],[80,5],[80,80]]]})") == "StrokeNotFinite");
   CHECK(errorOf(R"({"contours":[[[20,20],[80,20],[80,80]]],"height":99})") == "ValueOutOfRange");
   CHECK(*rig.run("cut-out", "{}").text("error") == "ArgumentMissing");
-  CHECK(*rig.run("cut-out", R"({"at":[900,900]})").text("error") == "ValueOutOfRange");
+  CHECK(*rig.run("cut-out", R"({"at":[900,900]})").text("error") == "RegionOutside");
   CHECK(rig.parts() == 0);
   CHECK(rig.run("draw-puff", R"({"contours":[[[-90,-90],[290,-90],[290,290],[-90,290]]]})").flag("ok") == true);
   CHECK(rig.host.said("cut off"));
