@@ -364,7 +364,7 @@ constexpr std::array kTable = {
     Command{.id = "both-sides", .label = "Both sides", .icon = "flip-horizontal-2", .shortcut = "Shift+B",
             .group = "ribs", .hint = "The line changes the other side as well", .enabled = hasParts,
             .toggled = bothSides, .run = toggleBoth},
-    Command{.id = "ignore-whole-picture", .label = "For the whole picture", .icon = "image", .group = "ribs",
+    Command{.id = "ignore-whole-picture", .label = "All parts", .icon = "image", .group = "ribs",
             .hint = "Scribbles count for all parts of the picture", .enabled = hasPicture, .toggled = wholePicture,
             .run = toggleWhole},
     Command{.id = "paint-over", .label = "Paint over", .icon = "paint-roller", .group = "ribs",

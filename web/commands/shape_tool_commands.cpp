@@ -305,11 +305,15 @@ Outcome setSidePicture(Env env, PictureId picture, std::optional<geometry::ViewF
   } else {
     dropOutlines(document, picture, actions);
   }
+  const bool dropsOutlines = !actions.empty();
   actions.push_back(document::SetView{picture, document::PictureView{front->id, view}});
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
   env.ui.tool = ToolKind::Primitive;
   featureAt(env.ui, picture);
   env.ui.focus = Focus::Picture;
+  if (dropsOutlines) {
+    sendHint(env.host, "The outlines that were drawn here for another side are gone. Undo brings them back.");
+  }
   sendStatus(env.host, document::findPart(env.studio.document(), env.ui.selection)
                            ? "Draw here round the shape as it is seen from this side."
                            : "Choose a shape, then draw here what it looks like from this side.");

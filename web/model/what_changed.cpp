@@ -122,7 +122,10 @@ std::string ofDrawings(const Difference<document::Drawing>& drawings) {
 }
 
 std::string ofPicture(const PictureEntry& before, const PictureEntry& after) {
-  const char* what = before.name != after.name ? "Rename" : before.ignored != after.ignored ? "Ignore edges" : "Pen";
+  const char* what = before.name != after.name         ? "Rename"
+                     : before.ignored != after.ignored ? "Ignore edges"
+                     : before.view != after.view       ? "Side picture"
+                                                       : "Pen";
   return about(what, words::nameOf(after.name));
 }
 

@@ -354,6 +354,26 @@ TEST_CASE("a picture that is opened may be the side of the shape in hand, which 
   CHECK(rig.state().find("selection")->isNull());
 }
 
+TEST_CASE(
+    "a picture that looks from elsewhere loses the outlines drawn in it, which is said and taken back as one step") {
+  Shapes rig;
+  rig.draw({{200, 240}, {200, 60}});
+  rig.openBar();
+  REQUIRE(rig.works("side-picture", R"({"from": "right"})"));
+  rig.draw(ellipse({100, 100}, 30, 60));
+  REQUIRE(rig.last().outlines.size() == 1);
+  REQUIRE(rig.works("side-picture", R"({"from": "left"})"));
+  CHECK(rig.last().outlines.size() == 1);
+  CHECK_FALSE(rig.host.said("Undo brings them back"));
+  REQUIRE(rig.works("side-picture", R"({"from": "top"})"));
+  CHECK(rig.last().outlines.empty());
+  CHECK(rig.host.said("Undo brings them back"));
+  REQUIRE(rig.works("undo"));
+  CHECK(rig.last().outlines.size() == 1);
+  REQUIRE(rig.works("undo"));
+  CHECK(rig.host.said("Undone: Side picture"));
+}
+
 TEST_CASE("a picture becomes the side, and the first outline drawn there aligns it") {
   for (const platform::Device device : kDevices) {
     Shapes rig;
