@@ -32,7 +32,7 @@ constexpr std::array kTexts = {
     ErrorText{Error::RegionEmpty, "RegionEmpty",
               "That outline is too small to make a part of. Draw a larger one round the thing."},
     ErrorText{Error::RegionOutside, "RegionOutside",
-              "That lies outside the picture. Tap or draw on the thing in the picture."},
+              "That outline lies outside the picture. Draw it round the thing in the picture."},
     ErrorText{Error::RegionTooFine, "RegionTooFine",
               "That outline is too tangled to make a part of. Draw a simpler one."},
     ErrorText{Error::ProfileOnAxis, "ProfileOnAxis",

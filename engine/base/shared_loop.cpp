@@ -1,13 +1,14 @@
 #include "engine/base/shared_loop.h"
 
 #ifdef SPINELOFT_THREADS
+#include <signal.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <new>
-#include <system_error>
 #include <thread>
 #endif
 
@@ -22,11 +23,16 @@ class Helper {
  public:
   Helper() {
     if (std::thread::hardware_concurrency() < 2) return;
+    // Signals are for the threads that know of them.
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
     try {
       std::thread([this] { live(); }).detach();
       isThere_ = true;
-    } catch (const std::system_error&) {  // there is none
+    } catch (...) {  // there is none
     }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 
   /// False where it is another caller's, or there is none. Else all is done.
@@ -39,6 +45,7 @@ class Helper {
     state_ = State::Offered;
     if (isAsleep_) {
       const std::lock_guard lock(mutex_);
+      isWanted_ = true;
       wake_.notify_one();
     }
     takeShares(0);
@@ -78,8 +85,8 @@ class Helper {
       }
       std::unique_lock lock(mutex_);
       isAsleep_ = true;
-      wake_.wait(lock, [this] { return state_ == State::Offered; });
-      isAsleep_ = false;
+      wake_.wait(lock, [this] { return isWanted_ || state_ == State::Offered; });
+      isAsleep_ = isWanted_ = false;
     }
   }
 
@@ -99,6 +106,7 @@ class Helper {
   int count_ = 0;
   std::mutex mutex_;
   std::condition_variable wake_;
+  bool isWanted_ = false;  ///< a loop came while it was asleep
   bool isThere_ = false;
 };
 

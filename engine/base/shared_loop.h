@@ -14,9 +14,9 @@ using LoopWork = void (*)(const void* work, LoopShare share);
 void runShares(int count, LoopWork call, const void* work);
 
 /// Calls work(share) for shares that are together the rounds 0 … count − 1, and returns when all are done. Where the
-/// program has threads, the machine has two processors, and a thread for this is awake and free, both take shares until
-/// none is left; else the caller takes one, of all. Which rounds share what must not matter. `work` may not throw. May
-/// be called on any thread, also within a share.
+/// program has threads and the machine two processors, a second thread takes shares as well while it is awake and no
+/// other caller's. The result may not depend on which rounds share what. `work` may not throw. May be called on any
+/// thread, also within a share; there `who` counts anew.
 template <class Work>
 void sharedLoop(int count, const Work& work) {
   runShares(count, [](const void* all, LoopShare share) { (*static_cast<const Work*>(all))(share); }, &work);

@@ -125,6 +125,8 @@ test('a step that the selected part cannot do waits, and the next one is told', 
   assert.equal(led.next({ ...turned, selected: { kind: 'loft' } }), kFirstVisit[1]);
   assert.equal(led.next({ ...turned, selected: { kind: 'lathe' } }), kFirstVisit[2]);
   assert.equal(led.next({ ...turned, selected: null }), kFirstVisit[1], 'the next part has a slice');
+  assert.equal(led.next({ ...kAll, shaped: 0, selected: { kind: 'lathe' } }), null);
+  assert.equal(led.areDone, false, 'it is told once it can be done');
 });
 
 test('the number that is told with a step is its place in the list, whatever was done before it', () => {

@@ -120,6 +120,10 @@ Result<vision::CutHints> checkedHints(vision::CutHints hints, image::Size size) 
   return hints;
 }
 
+Outcome outside() {
+  return Refusal{"RegionOutside", "That lies outside the picture. Tap or draw on the thing in the picture."};
+}
+
 /// What the tool in hand makes of a thing.
 CutInto usualInto(Env env) { return env.ui.tool == ToolKind::Extrude ? CutInto::Sheet : CutInto::Puff; }
 
@@ -135,6 +139,7 @@ Outcome begin(Env env, Begin wanted) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), env.ui.picture);
   if (entry == nullptr) return refuse({Error::NoSuchPicture, {}});
   Result<vision::CutHints> hints = checkedHints(std::move(wanted.hints), entry->size);
+  if (!hints && hints.error() == Error::RegionOutside) return outside();
   if (!hints) return refuse(hints.failure());
   if (hints.value().inside.empty() && !hints.value().box) {
     return missing("where the thing is: at, inside, or a box");
@@ -198,7 +203,7 @@ Outcome mark(Env env, vision::CutMark mark) {
     return refuse({Error::ValueOutOfRange, "line"});
   }
   const bool there = std::ranges::any_of(mark.line, [&](PicturePoint p) { return onPicture(p, entry->size); });
-  if (!there) return refuse({Error::RegionOutside, {}});
+  if (!there) return outside();
   draft.hints.marks.push_back(std::move(mark));
   draft.undone.clear();
   search(env);

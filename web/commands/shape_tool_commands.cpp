@@ -299,8 +299,9 @@ Outcome setSidePicture(Env env, PictureId picture, std::optional<geometry::ViewF
   const auto isAside = [](geometry::ViewFrom one) {
     return one == geometry::ViewFrom::Right || one == geometry::ViewFrom::Left;
   };
-  if (side->view && side->view->of == front->id && isAside(*from) && isAside(side->view->view.from)) {
-    view = side->view->view;  // only the other way round: what is drawn stays
+  const bool isSame = side->view && side->view->of == front->id && side->view->view.from == *from;
+  if (isSame || (side->view && side->view->of == front->id && isAside(*from) && isAside(side->view->view.from))) {
+    view = side->view->view;  // as it was, or only the other way round: what is drawn stays
     view.from = *from;
   } else {
     dropOutlines(document, picture, actions);
@@ -312,7 +313,7 @@ Outcome setSidePicture(Env env, PictureId picture, std::optional<geometry::ViewF
   featureAt(env.ui, picture);
   env.ui.focus = Focus::Picture;
   if (dropsOutlines) {
-    sendHint(env.host, "The outlines that were drawn here for another side are gone. Undo brings them back.");
+    sendHint(env.host, "The outlines that were drawn here are gone. Undo brings them back.");
   }
   sendStatus(env.host, document::findPart(env.studio.document(), env.ui.selection)
                            ? "Draw here round the shape as it is seen from this side."

@@ -79,7 +79,9 @@ void App::layout() {
   if (!ui_.sections.board && studio_.document().pictures.size() > 1) reservePictures(ui_.layout);
   const document::PictureEntry* entry = document::findPicture(studio_.document(), ui_.picture);
   // What is in hand stays where it is, also where buttons for fingers take another room than those for a mouse.
-  if (entry != nullptr && ui_.pictureView.fitted && !gestures_.usesTool()) {
+  const bool isHeld = gestures_.usesTool() && fitted_ == ui_.picture;
+  if (entry != nullptr && ui_.pictureView.fitted && !isHeld) {
+    fitted_ = ui_.picture;
     ui_.pictureView = fitPicture(entry->size, ui_.layout.picture, ui_.barHead, ui_.barLeft, ui_.barFoot);
   }
 }

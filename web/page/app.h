@@ -151,6 +151,7 @@ class App final : public platform::Page, Hand {
   ShellView told_, view_;  ///< what the shell knows, and what it is compared with
   std::uint64_t frames_ = 0;
   int framesWanted_ = 0;
+  PictureId fitted_;  ///< whose view was fitted last
   double handMovedMs_ = 0;
   ClientPoint pressedAt_;
   bool handMoves_ = false;    ///< farther from there than a press that means to stay

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
+#include "web/edit/section_editing.h"
 #include "web/edit/solid_editing.h"
 #include "web/model/solid_faults.h"
 #include "web/panels/number_text.h"
@@ -58,9 +60,17 @@ void slider(const PanelEnv& env, const document::Step& step, double document::Se
   env.sink.run(app::setStep, action);
 }
 
-/// The sides at which a hollow solid can be open, `on` pressed; `choose(side)` is told another one.
+/// Whether the first part of a solid goes along a line, at whose ends it can be open.
+bool goesAlongLine(const PanelEnv& env, const document::Operand& what) {
+  const std::vector<PartId> parts = document::partsIn(env.document(), what);
+  const pipeline::PartShape* shape = parts.empty() ? nullptr : app::shapeOf(env.document(), env.derived, parts.front());
+  return shape != nullptr && shape->centreLine.size() > 1;
+}
+
+/// The sides at which this can be open once it is hollow, `on` pressed; `choose(side)` is told another one.
 template <class Choose>
-void openingChooser(const PanelEnv& env, document::OpeningSide on, float width, const Choose& choose) {
+void openingChooser(const PanelEnv& env, const document::Operand& what, document::OpeningSide on, float width,
+                    const Choose& choose) {
   using document::OpeningSide;
   constexpr std::array<std::pair<OpeningSide, const char*>, 9> kChoices = {{{OpeningSide::Up, "Top"},
                                                                             {OpeningSide::Down, "Bottom"},
@@ -73,7 +83,10 @@ void openingChooser(const PanelEnv& env, document::OpeningSide on, float width, 
                                                                             {OpeningSide::None, "Closed"}}};
   label(env.fonts.small, kMuted, "Open at");
   WordButtons row(env, width);
+  const bool hasEnds = goesAlongLine(env, what);
   for (const auto& [side, text] : kChoices) {
+    const bool isEnd = side == OpeningSide::Start || side == OpeningSide::End;
+    if (isEnd && !hasEnds && side != on) continue;
     if (row.button(text, text, on == side)) choose(side);
   }
 }
@@ -87,7 +100,7 @@ void shownHollow(const PanelEnv& env, const document::CombineParts& draft, float
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   label(env.fonts.bold, kInk, asIs(words::tr("{name} becomes hollow", {{"name", name}})));
   ImGui::PopTextWrapPos();
-  openingChooser(env, draft.opening.side, width,
+  openingChooser(env, what, draft.opening.side, width,
                  [&](document::OpeningSide side) { env.sink.run(app::openHollow, side); });
 }
 
@@ -97,7 +110,7 @@ void chosenSolid(const PanelEnv& env, const document::Step& step, float width) {
   if (blends) slider(env, step, &document::SetStep::blend, "Round the seam");
   if (step.kind == StepKind::Hollow) {
     slider(env, step, &document::SetStep::wall, "Wall");
-    openingChooser(env, step.opening.side, width, [&](document::OpeningSide side) {
+    openingChooser(env, {{}, step.id}, step.opening.side, width, [&](document::OpeningSide side) {
       document::SetStep action{step.id, step.kind, step.blend, step.wall, step.opening};
       action.opening.side = side;
       env.sink.run(app::setStep, action);

@@ -66,15 +66,17 @@ WordRows filledRows(const ShortList<double>& widths, double room) {
 /// In few rows, each about as wide as the others. None: the view is too low for them, or too narrow.
 std::optional<WordRows> wordRows(const PanelEnv& env, std::span<const app::CommandId> ids, double room, double height) {
   constexpr double kMostOfView = 0.25;
+  if (ids.empty()) return std::nullopt;
   ShortList<double> widths;
   for (const app::CommandId id : ids) widths.push_back(static_cast<double>(commandButtonWidth(env, id)) + kButtonGap);
   WordRows best = filledRows(widths, room);
   const double tall = best.rows * (static_cast<double>(wordedHeight(env)) + kButtonGap);
   if (best.width > room || height < kWordsFrom || (best.rows > 1 && tall > kMostOfView * height)) return std::nullopt;
-  for (WordRows narrower = best; narrower.rows == best.rows; narrower = filledRows(widths, narrower.width - 1)) {
+  while (true) {
+    const WordRows narrower = filledRows(widths, best.width - 1);
+    if (narrower.rows != best.rows || narrower.width >= best.width) return best;  // a button cannot be narrower
     best = narrower;
   }
-  return best;
 }
 
 /// In the lower right corner, with words below the icons where all have room for them, else one row, or a column where

@@ -63,7 +63,7 @@ export class Coach {
     this.steps ??= new Steps(this.task?.steps ?? kFirstVisit, view);
     const step = this.steps.next(view);
     if (step === null) {
-      this.end();
+      if (this.steps.areDone) this.end();
       return null;
     }
     const asked = commands.find(({ id, enabled }) => enabled && kAnswers.includes(id));

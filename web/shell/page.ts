@@ -347,8 +347,8 @@ export class Page {
     if (this.engine) this.passing = placeOf(this.engine.view);
   }
 
-  /** Decodes and opens one picture; rejects when it cannot be opened, and then nothing has changed. */
-  async openImage(blob: Blob, name: string): Promise<void> {
+  /** Decodes and opens one picture, `begins`: as leaveUndone says; rejects when it cannot be opened, and then nothing has changed. */
+  async openImage(blob: Blob, name: string, begins = false): Promise<void> {
     const engine = this.engine;
     if (!engine) throw new Failure('NotReady', 'The page is not ready yet. Wait for spineloft.ready.');
     this.mustBeChangeable();
@@ -358,6 +358,7 @@ export class Page {
     try {
       const picture = await decodePicture(blob, engine);
       if (aborter.signal.aborted) throw new Failure('Cancelled', engine.sentence('Cancelled'));
+      if (begins) await this.leaveUndone();
       engine.addPicture(picture, name);
       await Promise.resolve(); // what the engine says of the step comes first
       this.sayUntilNext(t('{name} is open.', { name }));
@@ -441,8 +442,7 @@ export class Page {
     for (const file of files) {
       try {
         const isModel = /\.(spineloft|glb)$/i.test(file.name) || (await isModelFile(file));
-        if (!isModel) await this.leaveUndone();
-        await (isModel ? this.openProject(file) : this.openImage(file, file.name || 'Pasted picture'));
+        await (isModel ? this.openProject(file) : this.openImage(file, file.name || 'Pasted picture', true));
         this.canvas.focus({ preventScroll: true });
       } catch (thrown) {
         this.complain(thrown);
@@ -456,9 +456,7 @@ export class Page {
       const response = await fetch(address);
       if (!response.ok)
         throw new Failure('FileUnreadable', 'The sample picture did not load. Check the connection and try again.');
-      const picture = await response.blob();
-      await this.leaveUndone();
-      await this.openImage(picture, t(sample.title));
+      await this.openImage(await response.blob(), t(sample.title), true);
       this.guide.offer(withGhost ? sample : null);
       this.canvas.focus({ preventScroll: true });
       this.refresh();
@@ -467,17 +465,21 @@ export class Page {
     }
   }
 
-  /** What is begun on the start page is a model of its own where all steps of the open one were taken back: they can still be done again. */
+  /** What is begun on the start page is a model of its own where the open one has steps that can be done again. */
   private async leaveUndone(): Promise<void> {
     if (this.isOnStartPage && this.view && this.view.redo > 0) await this.keeper?.newModel();
   }
 
   /** A blank sheet, with the pen in hand. */
   async drawOnPaper(): Promise<void> {
-    await this.leaveUndone();
-    this.run('new-sketch');
-    this.refresh();
-    this.canvas.focus({ preventScroll: true });
+    try {
+      await this.leaveUndone();
+      this.run('new-sketch');
+      this.refresh();
+      this.canvas.focus({ preventScroll: true });
+    } catch (thrown) {
+      this.complain(thrown);
+    }
   }
 
   complain(thrown: unknown): void {

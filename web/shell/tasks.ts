@@ -152,7 +152,12 @@ export class Steps {
     private readonly start: ShellView,
   ) {}
 
-  /** The first step that is not done and can be; null: all are done, or the last ones while another cannot be. */
+  /** Whether every step is done, as of the last `next`. */
+  get areDone(): boolean {
+    return this.steps.every((step) => this.done.has(step));
+  }
+
+  /** The first step that is not done and can be; null: all are done, or none of the others can be. */
   next(now: ShellView): TaskStep | null {
     for (const step of this.steps) if (step.done(now, this.start)) this.done.add(step);
     return this.steps.find((step) => !this.done.has(step) && step.can?.(now) !== false) ?? null;

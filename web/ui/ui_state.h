@@ -326,7 +326,7 @@ struct UiState {
   std::vector<SeenPicture> seen;  ///< how the other pictures were last looked at
   bool legendOpen = false;        ///< on a phone, where it is folded at first
   BarMenu barMenu = BarMenu::None;
-  double barHead = 0;  ///< CSS pixels that a bar takes at the head of the picture view on a phone
+  double barHead = 0;  ///< CSS pixels of the picture view's head that a fitted picture leaves to a bar
   double barLeft = 0;  ///< CSS pixels that a column takes at the left of a low picture view
   double barFoot = 0;  ///< CSS pixels that a row of buttons takes at the foot of the picture view
   Rect solidButtons;   ///< the row or column of buttons in the solid view; empty: it is not shown

@@ -49,7 +49,7 @@ const Line& lineAt(std::span<const Line> row, float at, std::int32_t& k) {
 }
 
 // Adds one side's costs at the places factor · width[j], interpolated between labels. `labels` is where to
-// begin to look: where the rib before had that place. All have an entry for every width.
+// begin to look: where the rib before, of those of one share, had that place. All have an entry for every width.
 void addSide(std::span<const Line> row, float factor, const std::vector<float>& widths, float* costs,
              std::int32_t* labels) {
   for (std::size_t j = 0; j < widths.size(); ++j) {

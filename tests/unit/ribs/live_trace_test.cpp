@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/rng.h"
+#include "engine/base/shared_loop.h"
 #include "engine/ribs/evidence/ignored.h"
 #include "engine/ribs/search/ribs.h"
 #include "tests/support/scarce_memory.h"
@@ -55,6 +56,17 @@ RibSet whole(const Spine& spine) { return traceRibs(spine, {thing(), kPicture}, 
 LiveTrace::Ribs moved(LiveTrace& live, const Spine& spine) { return live.move(spine, {thing(), kPicture}, {}).value(); }
 
 }  // namespace
+
+TEST_CASE("ribs are equal whether or not the loops that find them are shared by two processors") {
+  const Spine spine = spineTo(400);
+  const RibSet shared = whole(spine);
+  int equal = 0;
+  for (int again = 0; again < 5; ++again) {
+    // Within a share there is nobody to share with.
+    sharedLoop(1, [&](LoopShare share) { equal += share.end > share.first && whole(spine) == shared ? 1 : 0; });
+  }
+  CHECK(equal == 5);
+}
 
 TEST_CASE(
     "ribs under the pen are within five hundredths of the width of those of a whole trace, two and a half on the "

@@ -90,3 +90,23 @@ TEST_CASE("where a view is high, its buttons have words, in as many rows as a qu
     }
   }
 }
+
+TEST_CASE("a window of any size has its buttons, within their view, also beside the card of the pen") {
+  Rig rig(kDesk);
+  REQUIRE(rig.run("new-sketch").flag("ok") == true);
+  rig.pointer(platform::PointerKind::Leave, 0, 0, platform::Device::Touch);  // buttons for fingers
+  for (double width = 320; width <= 1480; width += 29) {
+    for (const double height : {400., 900., 1300.}) {
+      CAPTURE(width);
+      CAPTURE(height);
+      rig.app->resize({width, height, 1});
+      rig.settle();
+      const app::Rect& view = rig.app->ui().layout.picture;
+      for (const Shown& one : inSight(rig)) {
+        if (one.kind != "button" || one.words != "Fit") continue;
+        CHECK(view.contains({one.at.x, one.at.y}));
+        CHECK(view.contains({one.at.right(), one.at.bottom()}));
+      }
+    }
+  }
+}
