@@ -94,8 +94,10 @@ TEST_CASE("where a view is high, its buttons have words, in as many rows as a qu
 TEST_CASE("a window of any size has its buttons, within their view, also beside the card of the pen") {
   Rig rig(kDesk);
   REQUIRE(rig.run("new-sketch").flag("ok") == true);
-  rig.pointer(platform::PointerKind::Leave, 0, 0, platform::Device::Touch);  // buttons for fingers
-  for (double width = 320; width <= 1480; width += 29) {
+  REQUIRE(rig.run("more-tools", R"({"on": false})").flag("ok") == true);
+  rig.press(700, 400, 720, 400, platform::Device::Touch);
+  rig.lift(platform::Device::Touch);
+  for (double width = 320; width <= 1480; width += 8) {
     for (const double height : {400., 900., 1300.}) {
       CAPTURE(width);
       CAPTURE(height);
