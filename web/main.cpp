@@ -2,6 +2,7 @@
 // on everything happens in callbacks.
 #include <imgui.h>
 
+#include "engine/base/shared_loop.h"
 #include "engine/pipeline/warm_up.h"
 #include "web/gl/webgl_renderer.h"
 #include "web/page/app.h"
@@ -24,6 +25,7 @@ std::unique_ptr<Page> makePage(Host& host, FontFiles fonts, const CanvasSize& si
   ImGui::CreateContext();
   std::unique_ptr<gl::Renderer> renderer = gl::makeWebGlRenderer();
   if (renderer == nullptr) return nullptr;
+  sharedLoop(0, [](LoopShare) {});  // its thread begins with the others, not under the first stroke
   app::App::Parts parts{host, std::move(renderer), std::move(fonts), kThreads};
   return std::make_unique<app::App>(std::move(parts), size);
 }

@@ -60,6 +60,8 @@ export class Guide {
     if (!view.picture || view.parts > 0) this.sample = null;
     this.show = () => this.showGhost(view, step);
     this.show();
+    const tools = view.picture ? byId('canvas').clientHeight / canvasUnit() - view.picture.buttons : 0;
+    byId('toasts').style.setProperty('--tools', canvasLength(tools));
     const advice = adviceFor(view);
     this.hint.hidden = advice === '';
     if (advice === '' || !view.picture) return step;
