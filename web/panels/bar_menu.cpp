@@ -62,7 +62,50 @@ app::Rect placeOf(const PanelEnv& env, const app::Rect& bar, double width, doubl
   return {x, y, width, height};
 }
 
+/// Puts cells into as few rows as `room` allows; how many those are.
+int breakRows(BarCells& cells, double room) {
+  double x = 0;
+  int row = 0;
+  for (BarCell& cell : cells) {
+    if (x > 0 && x + cell.width > room) {
+      x = 0;
+      ++row;
+    }
+    cell.row = row;
+    x += cell.width + kCellGap;
+  }
+  return row + 1;
+}
+
 }  // namespace
+
+BarCells arrangeCells(const PanelEnv& env, std::span<const app::CommandId> ids, bool words, double room, double side) {
+  BarCells cells;
+  double width = 0;
+  for (const app::CommandId id : ids) {
+    cells.push_back({id, words ? static_cast<double>(commandButtonWidth(env, id)) : side, 0});
+    width += cells.back().width + kCellGap;
+  }
+  const int rows = breakRows(cells, room);
+  if (rows == 1) return cells;
+  // No row of a single button below a full one.
+  double narrow = width / rows;
+  while (narrow < room && breakRows(cells, narrow) > rows) narrow += kCellGap;
+  breakRows(cells, std::min(narrow, room));
+  return cells;
+}
+
+int rowsOf(const BarCells& cells) { return cells.empty() ? 1 : cells.back().row + 1; }
+
+double widestRow(const BarCells& cells) {
+  double widest = 0;
+  for (int row = 0; row < rowsOf(cells); ++row) {
+    double width = -kCellGap;
+    for (const BarCell& cell : cells) width += cell.row == row ? cell.width + kCellGap : 0;
+    widest = std::max(widest, width);
+  }
+  return widest;
+}
 
 BarSplit splitBar(std::span<const app::CommandId> ids, std::size_t room,
                   const std::function<bool(app::CommandId)>& inUse) {

@@ -1,4 +1,4 @@
-// Bars of one row: what does not fit waits behind a button with three dots.
+// Bars of buttons, in one row or several: what does not fit waits behind a button with three dots.
 #pragma once
 
 #include <imgui.h>
@@ -23,6 +23,20 @@ struct BarSplit {
 /// first ones and the menu's button. What `inUse` says of stays in the row, in the last one's place.
 BarSplit splitBar(std::span<const app::CommandId> ids, std::size_t room,
                   const std::function<bool(app::CommandId)>& inUse);
+
+/// Where a button of a bar stands.
+struct BarCell {
+  app::CommandId id;
+  double width = 0;
+  int row = 0;
+};
+using BarCells = ShortList<BarCell>;
+inline constexpr double kCellGap = 2;  ///< between two of them
+
+/// In rows of about the same width, none wider than `room` but for a single button; as wide as words need, or `side`.
+BarCells arrangeCells(const PanelEnv& env, std::span<const app::CommandId> ids, bool words, double room, double side);
+int rowsOf(const BarCells& cells);
+double widestRow(const BarCells& cells);
 
 /// Whether it is a tool, and the one in use.
 bool isToolInUse(const PanelEnv& env, app::CommandId id);

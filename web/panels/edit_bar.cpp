@@ -21,7 +21,7 @@
 namespace spineloft::panels {
 namespace {
 
-constexpr double kMargin = 8, kGap = 2, kPadding = 4;
+constexpr double kMargin = 8, kGap = kCellGap, kPadding = 4;
 constexpr double kChipRoom = 84;    // of the view's name at its left
 constexpr double kColumnRoom = 58;  // of the buttons at the side of a low view
 constexpr double kBelow = 6;        // between two cards
@@ -88,45 +88,6 @@ Ids itemsOf(const PanelEnv& env) {
     default:
       return {};
   }
-}
-
-struct Cell {
-  app::CommandId id;
-  double width = 0;
-  int row = 0;
-};
-using Cells = ShortList<Cell>;
-
-/// Puts cells into as few rows as `room` allows; how many those are.
-int breakRows(Cells& cells, double room) {
-  double x = 0;
-  int row = 0;
-  for (Cell& cell : cells) {
-    if (x > 0 && x + cell.width > room) {
-      x = 0;
-      ++row;
-    }
-    cell.row = row;
-    x += cell.width + kGap;
-  }
-  return row + 1;
-}
-
-/// Cells in rows of about the same width, none wider than `room`; with words, as wide as those need.
-Cells arrange(const PanelEnv& env, Ids ids, bool words, double room, double side) {
-  Cells cells;
-  double width = 0;
-  for (const app::CommandId id : ids) {
-    cells.push_back({id, words ? static_cast<double>(commandButtonWidth(env, id)) : side, 0});
-    width += cells.back().width + kGap;
-  }
-  const int rows = breakRows(cells, room);
-  if (rows == 1) return cells;
-  // No row of a single button below a full one.
-  double narrow = width / rows;
-  while (narrow < room && breakRows(cells, narrow) > rows) narrow += kGap;
-  breakRows(cells, std::min(narrow, room));
-  return cells;
 }
 
 /// A slider that shows what it would do and does it when it is let go.
@@ -207,10 +168,10 @@ void sidesCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
 /// What stands in the bar, and what in its menu.
 struct Split {
   BarSplit bar;
-  Cells cells;
+  BarCells cells;
   bool words = true;  ///< below the icons
   float side = 0;     ///< height of a button
-  int rows() const { return cells.empty() ? 1 : cells.back().row + 1; }
+  int rows() const { return rowsOf(cells); }
   double height() const { return rows() * (static_cast<double>(side) + kGap) - kGap + 2 * kPadding; }
   double more() const { return bar.rest.empty() ? 0 : static_cast<double>(side) + kGap; }
 };
@@ -222,7 +183,7 @@ Split foldWith(const PanelEnv& env, Ids ids, bool words, std::size_t most, doubl
   out.side = words ? wordedHeight(env) : buttonSide(env);
   const std::size_t cells = most < ids.size() ? most + 1 : ids.size();  // one is the menu's
   out.bar = splitBar(ids, cells, [&](app::CommandId id) { return isToolInUse(env, id); });
-  out.cells = arrange(env, out.bar.shown, words, room - out.more(), out.side);
+  out.cells = arrangeCells(env, out.bar.shown, words, room - out.more(), out.side);
   return out;
 }
 
@@ -249,7 +210,7 @@ Split fold(const PanelEnv& env, Ids ids, bool oneRow, double room, double height
 }
 
 void paintBar(const PanelEnv& env, const app::Rect& card, const Split& split, ImU32 colour) {
-  const Cells& cells = split.cells;
+  const BarCells& cells = split.cells;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding, kPadding});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap, kGap});
@@ -303,13 +264,7 @@ void drawEditBar(const PanelEnv& env) {
   const double room = view.width - chip - column - 2 * (kMargin + kPadding);
   if (room < static_cast<double>(buttonSide(env))) return;
   const Split split = fold(env, items, layout.stacked || small || column > 0, room, view.height);
-  double widest = 0;
-  for (int row = 0; row < split.rows(); ++row) {
-    double width = -kGap;
-    for (const Cell& cell : split.cells) width += cell.row == row ? cell.width + kGap : 0;
-    widest = std::max(widest, width);
-  }
-  const double width = widest + split.more() + 2 * kPadding;
+  const double width = widestRow(split.cells) + split.more() + 2 * kPadding;
   const double height = split.height();
   const double head = view.y + kMargin + (shapes > 0 ? shapes + kBelow : 0);
   const double y = atFoot ? view.bottom() - kMargin - height : head;

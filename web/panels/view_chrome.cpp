@@ -26,10 +26,9 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 10;
-constexpr double kFoot = 84;     // from a hint's middle to the foot of its view
-constexpr double kClear = 6;     // between a hint and what is there
-constexpr double kPenRoom = 58;  // what the card of the pen takes at the foot of a sketch
-constexpr double kButtonGap = 2;
+constexpr double kFoot = 84;      // from a hint's middle to the foot of its view
+constexpr double kClear = 6;      // between a hint and what is there
+constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
 constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
 
 /// Buttons of a view and the menu of those that have no room.
@@ -42,41 +41,15 @@ struct Bar {
   double taken = 0;  ///< of the view's width, from the left
 };
 
-/// Where buttons with words stand: `first[i]`: button i begins a row.
-struct WordRows {
-  ShortList<bool> first;
-  int rows = 0;
-  double width = 0;  ///< of the widest row
-};
-
-/// As many in a row as `room` has place for.
-WordRows filledRows(const ShortList<double>& widths, double room) {
-  WordRows out;
-  double width = 0;
-  for (const double own : widths) {
-    const bool first = out.rows == 0 || width + own > room;
-    width = first ? own : width + own;
-    out.rows += first ? 1 : 0;
-    out.first.push_back(first);
-    out.width = std::max(out.width, width);
-  }
-  return out;
-}
-
-/// In few rows, each about as wide as the others. None: the view is too low for them, or too narrow.
-std::optional<WordRows> wordRows(const PanelEnv& env, std::span<const app::CommandId> ids, double room, double height) {
+/// With words, in few rows. None: the view is too low for them, or too narrow.
+std::optional<BarCells> wordedCells(const PanelEnv& env, std::span<const app::CommandId> ids, double room,
+                                    double height) {
   constexpr double kMostOfView = 0.25;
-  if (ids.empty()) return std::nullopt;
-  ShortList<double> widths;
-  for (const app::CommandId id : ids) widths.push_back(static_cast<double>(commandButtonWidth(env, id)) + kButtonGap);
-  WordRows best = filledRows(widths, room);
-  const double tall = best.rows * (static_cast<double>(wordedHeight(env)) + kButtonGap);
-  if (best.width > room || height < kWordsFrom || (best.rows > 1 && tall > kMostOfView * height)) return std::nullopt;
-  while (true) {
-    const WordRows narrower = filledRows(widths, best.width - 1);
-    if (narrower.rows != best.rows || narrower.width >= best.width) return best;  // a button cannot be narrower
-    best = narrower;
-  }
+  if (ids.empty() || height < kWordsFrom) return std::nullopt;
+  const BarCells cells = arrangeCells(env, ids, true, room, 0);
+  const int rows = rowsOf(cells);
+  const double tall = rows * (static_cast<double>(wordedHeight(env)) + kCellGap);
+  return widestRow(cells) <= room && (rows == 1 || tall <= kMostOfView * height) ? std::optional(cells) : std::nullopt;
 }
 
 /// In the lower right corner, with words below the icons where all have room for them, else one row, or a column where
@@ -85,21 +58,21 @@ app::Rect buttons(const PanelEnv& env, const Bar& bar) {
   const app::Rect& view = bar.view;
   const bool column = app::buttonsAtSide(view);
   const double edge = 6, room = (column ? view.height : view.width - bar.taken) - 2 * 4 - edge;
-  const auto words = column ? std::nullopt : wordRows(env, bar.ids, room, view.height);
+  const auto words = column ? std::nullopt : wordedCells(env, bar.ids, room, view.height);
   const float side = words ? wordedHeight(env) : env.ui().touch ? 44.f : 34.f;
-  const double cell = static_cast<double>(side) + kButtonGap;
+  const double cell = static_cast<double>(side) + kCellGap;
   if (room < cell || bar.ids.empty()) return {};
   const std::size_t cells = words ? bar.ids.size() : static_cast<std::size_t>(room / cell);
   const BarSplit split = splitBar(bar.ids, cells, [&](app::CommandId id) { return isToolInUse(env, id); });
-  const double length = (words ? words->width : static_cast<double>(split.cells()) * cell) + edge;
-  const double breadth = (words ? words->rows : 1) * cell + edge;
+  const double length = (words ? widestRow(*words) + kCellGap : static_cast<double>(split.cells()) * cell) + edge;
+  const double breadth = (words ? rowsOf(*words) : 1) * cell + edge;
   const double width = column ? breadth : length, height = column ? length : breadth;
   const double margin = std::min({kMargin, (view.height - height) / 2, (view.width - width) / 2});
   const app::Rect card{view.right() - width - margin, view.bottom() - height - margin, width, height};
   const bool emptyBefore = env.sink.empty();
   beginCard(env, bar.name, card);
   for (std::size_t i = 0; i < split.shown.size(); ++i) {
-    const bool inRow = words ? !words->first[i] : i > 0 && !column;
+    const bool inRow = i > 0 && !column && !(words && (*words)[i].row != (*words)[i - 1].row);
     if (inRow) ImGui::SameLine();
     commandButton(env, split.shown[i], side, words ? commandButtonWidth(env, split.shown[i]) : 0);
   }

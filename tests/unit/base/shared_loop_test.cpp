@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 #include "engine/base/shared_loop.h"
@@ -43,6 +45,23 @@ TEST_CASE("a shared loop runs every round once before it returns, however many t
   for (int again = 0; again < 200; ++again) {
     for (const int count : {0, 1, 2, 3, 15, 16, 17, 33, 240, 1000}) REQUIRE(runsEachOnce(count));
   }
+}
+
+TEST_CASE("a second thread takes shares, where the program has threads and the machine two processors" *
+          doctest::test_suite("threads")) {
+  if (WorkerPool(1).threads() == 0 || std::thread::hardware_concurrency() < 2) return;
+  std::atomic<int> helped{0};
+  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (helped == 0 && std::chrono::steady_clock::now() < until) {
+    sharedLoop(1000, [&](LoopShare share) {
+      std::atomic<int> work{0};
+      for (int i = share.first; i < share.end; ++i) {
+        for (int k = 0; k < 100; ++k) ++work;
+      }
+      if (share.who == 1) helped += work;
+    });
+  }
+  CHECK(helped > 0);
 }
 
 TEST_CASE("loops of several threads at once, and loops within a share, run every round once" *

@@ -173,6 +173,24 @@ TEST_CASE("what is shown goes with its part, and with what takes the part into a
   CHECK(page.state().find("hollow")->find("what")->array()->front().number("step") == 1);
 }
 
+TEST_CASE("a part opens at the ends of its line only where it has one") {
+  for (const char* part : {"draw-spine", "draw-shape"}) {
+    Rig page({1440, 1100, 1});
+    page.openBar();
+    const bool line = std::string_view(part) == "draw-spine";
+    const char* args =
+        line ? R"({"stroke": [[100, 40], [100, 160]]})" : R"({"kind": "ball", "axis": [[100, 40], [100, 160]]})";
+    REQUIRE(page.run(part, args).flag("ok") == true);
+    page.settle();
+    REQUIRE(page.run("hollow-show").flag("ok") == true);
+    page.settle();
+    const std::vector<test::Shown> all = test::inSight(page);
+    CHECK(std::ranges::count(all, "Top", &test::Shown::words) == 1);
+    CHECK(std::ranges::count(all, "Line's start", &test::Shown::words) == (line ? 1 : 0));
+    CHECK(std::ranges::count(all, "Line's end", &test::Shown::words) == (line ? 1 : 0));
+  }
+}
+
 TEST_CASE("the bar over the solid has what is needed to go on, at every size") {
   for (const platform::CanvasSize size : {platform::CanvasSize{1440, 800, 1}, {1024, 700, 1}, {390, 740, 2}}) {
     Rig page(size);
