@@ -30,6 +30,7 @@ const kArrows = {
   'engine/stack': ['engine/sections', 'engine/image'],
   'engine/descriptive': ['engine/inflate'],
   'engine/shape': ['engine/loft'],
+  'engine/pull': ['engine/mesh'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -38,6 +39,7 @@ const kArrows = {
     'engine/lathe',
     'engine/stack',
     'engine/shape',
+    'engine/pull',
     'engine/descriptive',
     'engine/surface',
   ],

@@ -20,6 +20,7 @@ using TraceKey = CacheKey<struct TraceKeyTag>;        ///< of spine and generate
 using InteriorKey = CacheKey<struct InteriorKeyTag>;  ///< of the skeleton and the fields of a puff
 using DrawingKey = CacheKey<struct DrawingKeyTag>;    ///< of a line drawing with its pieces, solved
 using ShapeKey = CacheKey<struct ShapeKeyTag>;        ///< of a part's mesh
+using ReachKey = CacheKey<struct ReachKeyTag>;        ///< of what a pull reaches on a shape
 using TextureKey = CacheKey<struct TextureKeyTag>;    ///< of a part's texture
 using SolidKey = CacheKey<struct SolidKeyTag>;        ///< of what the solver makes
 

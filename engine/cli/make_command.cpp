@@ -99,6 +99,17 @@ Json viewsOf(const Model& model, std::size_t number) {
   return views;
 }
 
+/// How much of its way each pull of a part could go, and where it left its line: ModelSpace.
+Json pullsOf(const Model& model, std::size_t number) {
+  Json pulls = Json::array();
+  for (const pipeline::PulledLine& pulled : model.shape(number).pulled) {
+    Json line = Json::array();
+    for (const ModelPoint p : pulled.points) line.push_back({p.x, p.y, p.z});
+    pulls.push_back({{"share", pulled.share}, {"line", std::move(line)}});
+  }
+  return pulls;
+}
+
 std::string reportOf(const Model& model) {
   Json parts = Json::array(), times = Json::object();
   for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
@@ -120,7 +131,8 @@ std::string reportOf(const Model& model) {
                      {"vertices", made.positions.size()},
                      {"triangles", made.triangles.size()},
                      {"ms", model.shape(i).ms.ribs + model.shape(i).ms.loft},
-                     {"views", viewsOf(model, i)}});
+                     {"views", viewsOf(model, i)},
+                     {"pulls", pullsOf(model, i)}});
   }
   for (const auto& [name, value] : model.milliseconds) times[name] = value;
   return Json{{"parts", parts}, {"milliseconds", times}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

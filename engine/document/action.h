@@ -92,7 +92,7 @@ struct ShapeRegion {
   PartId part;
   RegionSolid solid;
 };
-/// A part made of a region in place of what it was; name, look and place stay.
+/// A part made of a region in place of what it was; name, look, place and pulls stay.
 struct RemakePart {
   PartId part;
   Region region;
@@ -220,6 +220,11 @@ struct SetLook {
   PartId part;
   Look look = {};
 };
+/// All pulls of a part.
+struct SetPulls {
+  PartId part;
+  std::vector<pull::Pull> pulls;
+};
 /// One entry of the parameter table (params.h).
 struct SetParameter {
   PartId part;
@@ -330,7 +335,7 @@ using AnyAction =
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
-                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide>;
+                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide, SetPulls>;
 using Action = OneOf<AnyAction>;
 
 }  // namespace spineloft::document

@@ -99,7 +99,9 @@ std::size_t heldBy(const Recipe& recipe) {
 }
 
 std::size_t bytesOf(const Part& part) {
-  return sizeof(Part) + part.name.size() + part.extra.size() +
+  std::size_t pulls = bytesOf(part.pulls);
+  for (const pull::Pull& pull : part.pulls) pulls += bytesOf(pull.line) + bytesOf(pull.to);
+  return sizeof(Part) + part.name.size() + part.extra.size() + pulls +
          std::visit([](const auto& recipe) { return heldBy(recipe); }, part.recipe);
 }
 

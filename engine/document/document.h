@@ -30,6 +30,7 @@
 #include "engine/lathe/lathe_params.h"
 #include "engine/loft/loft.h"
 #include "engine/loft/pose.h"
+#include "engine/pull/pull_params.h"
 #include "engine/ribs/base/rib_params.h"
 #include "engine/ribs/base/rib_set.h"
 #include "engine/ribs/edit/edits.h"
@@ -166,6 +167,7 @@ struct Part {
   Placement placement;
   std::optional<MirrorPlane> mirror;  ///< it shows a second time, mirrored over this plane
   GroupId group;                      ///< none: it stands alone
+  std::vector<pull::Pull> pulls;      ///< what is done to its surface, in this order
   std::string extra;                  ///< as PictureEntry::extra
   bool operator==(const Part&) const = default;
 };

@@ -315,6 +315,13 @@ struct Apply {
       return Done{};
     });
   }
+  Status operator()(const SetPulls& a) const {
+    if (Status checked = pull::checkPulls(a.pulls); !checked) return checked;
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.pulls = a.pulls;
+      return Done{};
+    });
+  }
   Status operator()(const SetParameter& a) const {
     return editPart(a.part, [&](Part& part) -> Status {
       const ParamInfo* info = findParam(kindOf(part), a.key);
@@ -395,6 +402,7 @@ Result<Document> update(const Document& document, const Action& action) {
   const Status status = std::visit(Apply{next}, action);
   if (!status) return status.failure();
   settleDrawings(document, next);
+  carryPulls(document, next);
   dropEmptyGroups(next);
   return next;
 }

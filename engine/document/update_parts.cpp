@@ -1,7 +1,9 @@
 #include "engine/document/update_parts.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/document/checks.h"
 #include "engine/document/step.h"
@@ -20,6 +22,51 @@ void addPart(Document& document, Recipe recipe, const Look& look) {
 void erasePart(Document& document, PartId id) {
   takeOut(document, {id, {}});
   std::erase_if(document.parts, [&](const Part& part) { return part.id == id; });
+}
+
+namespace {
+
+// What says where a part lies in its picture.
+std::vector<PicturePoint> placesOf(const Recipe& recipe) {
+  if (const auto* loft = std::get_if<LoftRecipe>(&recipe)) {
+    return loft->pose.stroke.empty() ? loft->stroke : loft->pose.stroke;
+  }
+  if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return {shape->shape.axis.from, shape->shape.axis.to};
+  std::vector<PicturePoint> places;
+  if (const Region* region = regionOf(recipe)) {
+    for (const auto& contour : region->contours) places.insert(places.end(), contour.begin(), contour.end());
+  }
+  return places;
+}
+
+// None: it was not moved, or not as a whole.
+std::optional<PicturePoint> shiftOf(const Recipe& before, const Recipe& after) {
+  constexpr double kAlike = 1e-6;  // picture pixels
+  const std::vector<PicturePoint> from = placesOf(before), to = placesOf(after);
+  if (from.empty() || from.size() != to.size()) return std::nullopt;
+  const PicturePoint by = to.front() - from.front();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (distance(to[i] - from[i], by) > kAlike) return std::nullopt;
+  }
+  return norm(by) > kAlike ? std::optional(by) : std::nullopt;
+}
+
+}  // namespace
+
+void carryPulls(const Document& before, Document& after) {
+  for (Box<Part>& box : after.parts) {
+    const Part* was = box->pulls.empty() ? nullptr : findPart(before, box->id);
+    if (was == nullptr || was->recipe == box->recipe || was->pulls != box->pulls) continue;
+    const auto by = shiftOf(was->recipe, box->recipe);
+    if (!by) continue;
+    Part part = box;
+    for (pull::Pull& pull : part.pulls) {
+      for (auto* line : {&pull.line, &pull.to}) {
+        for (ModelPoint& p : *line) p += {by->x, -by->y, 0};
+      }
+    }
+    box = std::move(part);
+  }
 }
 
 Status roomForPart(const Document& document) {

@@ -9,6 +9,8 @@ namespace spineloft::document {
 void addPart(Document& document, Recipe recipe, const Look& look);
 /// A part goes, out of every step too.
 void erasePart(Document& document, PartId id);
+/// Pulls of parts that were moved as a whole in their picture go along.
+void carryPulls(const Document& before, Document& after);
 /// Error: ValueOutOfRange.
 Status roomForPart(const Document& document);
 

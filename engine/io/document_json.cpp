@@ -84,6 +84,13 @@ void mendMarks(std::vector<ribs::IgnoreMark>& marks, ReadNotes& notes) {
   weed(marks, ribs::kMostIgnoreMarks, [](const ribs::IgnoreMark& mark) { return document::isValid(mark); }, notes);
 }
 
+void mendPulls(std::vector<pull::Pull>& pulls, ReadNotes& notes) {
+  for (const pull::Pull& pull : pulls) {
+    if (const Status right = pull::checkPulls({pull}); !right) tell(right.failure(), notes);
+  }
+  weed(pulls, pull::kMostPulls, [](const pull::Pull& pull) { return pull::checkPulls({pull}).ok(); }, notes);
+}
+
 void mendEdits(ribs::RibEdits& edits, ReadNotes& notes) {
   const auto share = [](double at) { return at >= 0 && at <= 1; };
   weed(
@@ -405,6 +412,7 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
     mend(document::checkSide(document, part.recipe), *side, {}, reading.notes);
   }
   mend(document::isValid(part.placement), part.placement, {}, reading.notes);
+  mendPulls(part.pulls, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   if (reading.notes != before) settleExtra(part, toJson(part), reading);
   const Status stroke = document::checkDrawn(document, part.recipe);

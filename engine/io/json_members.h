@@ -414,9 +414,18 @@ void members(V& v, T& value) {
   v("id", id);
   v.always("name", name);
 }
+template <class V, Is<pull::Pull> T>
+void members(V& v, T& value) {
+  auto& [line, height, to, radius, crease] = value;
+  v("line", line);
+  v("height", height);
+  v("to", to);
+  v("radius", radius);
+  v("crease", crease);
+}
 template <class V, Is<document::Part> T>
 void members(V& v, T& value) {
-  auto& [id, name, recipe, look, visible, placement, mirror, group, extra] = value;
+  auto& [id, name, recipe, look, visible, placement, mirror, group, pulls, extra] = value;
   v("id", id);
   v.always("name", name);
   v.recipe("kind", "recipe", recipe);
@@ -425,6 +434,7 @@ void members(V& v, T& value) {
   v("placement", placement);
   v("mirror", mirror);
   v("group", group);
+  v("pulls", pulls);
   v.beyond(extra);
 }
 template <class V, Is<document::Operand> T>

@@ -33,6 +33,7 @@ class Grid {
   image::Size size() const { return size_; }
   double operator()(double value) const { return std::round(value / step_) * step_; }
   PicturePoint operator()(PicturePoint p) const { return {(*this)(p.x), (*this)(p.y)}; }
+  ModelPoint operator()(ModelPoint p) const { return {(*this)(p.x), (*this)(p.y), (*this)(p.z)}; }
   std::vector<PicturePoint> rounded(std::vector<PicturePoint> line) const {
     for (PicturePoint& p : line) p = (*this)(p);
     return line;
@@ -103,6 +104,12 @@ void keep(document::ShapeRecipe& recipe, const Grid& grid) {
 }
 /// Its lines are in its drawing.
 void keep(document::ElementRecipe&, const Grid&) {}
+void keepPull(pull::Pull& pull, const Grid& grid) {
+  for (ModelPoint& p : pull.line) p = grid(p);
+  for (ModelPoint& p : pull.to) p = grid(p);
+  pull.height = grid(pull.height);
+  pull.radius = std::max(grid(pull.radius), pull::kLeastRadius);
+}
 void keepLines(document::Drawing& drawing, const Grid& grid) {
   for (document::DrawnLine& line : drawing.lines) {
     document::DrawnLine kept = line;
@@ -189,6 +196,7 @@ Document onGrids(const Document& document) {
       if (own == grids.end()) continue;
       for (auto& line : outline->lines) line = own->second(line);
     }
+    for (pull::Pull& pull : part.pulls) keepPull(pull, grid->second);
     box = std::move(part);
   }
   return rounded;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/inflate/interior.h"
+#include "engine/pull/pull.h"
 
 namespace spineloft::pipeline {
 
@@ -105,6 +106,19 @@ Result<std::shared_ptr<const image::Picture>> Cache::pixels(const document::Pict
   return picture;
 }
 
+void Cache::keepUnpulled(ShapeKey key, std::shared_ptr<const PartShape> shape) {
+  const std::size_t bytes = bytesOf(*shape);
+  unpulled_.keep(key, std::move(shape), bytes);
+}
+
+void Cache::keepReach(ReachKey key, std::shared_ptr<const pull::Reach> reach) {
+  const mesh::TriMesh& mesh = reach->mesh;
+  const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
+  const std::size_t size = sizeof(*reach) + bytes(mesh.positions) + bytes(mesh.uv) + bytes(mesh.triangles) +
+                           bytes(reach->moved) + bytes(reach->line);
+  reaches_.keep(key, std::move(reach), size);
+}
+
 void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
   std::ranges::stable_sort(shapes_, std::ranges::greater{}, &ShapeSlot::lastRound);
   std::size_t bytes = 0;
@@ -130,7 +144,8 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 }
 
 std::size_t Cache::bytes() const {
-  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes() + drawings_.bytes();
+  std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes() + drawings_.bytes() +
+                    unpulled_.bytes() + reaches_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

@@ -14,6 +14,10 @@
 #include "engine/pipeline/drawing_shape.h"
 #include "engine/pipeline/part_shape.h"
 
+namespace spineloft::pull {
+struct Reach;
+}
+
 namespace spineloft::pipeline {
 
 /// Values by key, each with its size; when they are more than `budget` bytes those used longest ago
@@ -73,6 +77,12 @@ class Cache {
   /// By drawingKey. Null when not (or no longer) known.
   std::shared_ptr<const DrawingShape> drawing(DrawingKey key) { return drawings_.find(key); }
   void keepDrawing(DrawingKey key, std::shared_ptr<const DrawingShape> drawing);
+  /// By unpulledKey: shapes before their pulls. Null when not (or no longer) known.
+  std::shared_ptr<const PartShape> unpulled(ShapeKey key) { return unpulled_.find(key); }
+  void keepUnpulled(ShapeKey key, std::shared_ptr<const PartShape> shape);
+  /// By reachKey. Null when not (or no longer) known.
+  std::shared_ptr<const pull::Reach> reach(ReachKey key) { return reaches_.find(key); }
+  void keepReach(ReachKey key, std::shared_ptr<const pull::Reach> reach);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -104,9 +114,11 @@ class Cache {
   /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
   static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
-  /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces.
+  /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces; 20 parts before their pulls, and
+  /// what 20 pulls reach.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
-                               kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20, kDrawingBytes = 8u << 20;
+                               kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20, kDrawingBytes = 8u << 20,
+                               kUnpulledBytes = 8u << 20, kReachBytes = 16u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -130,6 +142,8 @@ class Cache {
   LruCache<TraceKey, TracedRibs> traced_{kTraceBytes}, previews_{kPreviewBytes};
   LruCache<InteriorKey, inflate::Interior> interiors_{kInteriorBytes};
   LruCache<DrawingKey, DrawingShape> drawings_{kDrawingBytes};
+  LruCache<ShapeKey, PartShape> unpulled_{kUnpulledBytes};
+  LruCache<ReachKey, pull::Reach> reaches_{kReachBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

@@ -80,6 +80,7 @@ struct Made {
   const document::PictureEntry& entry;
   const document::Document& document;
   PartId part;  ///< which it is, where it is one of the document's
+  std::span<const pull::Pull> pulls = {};
 };
 
 std::shared_ptr<const DrawingShape> solved(const descriptive::Drawing& drawing, Cache& cache) {
@@ -149,13 +150,35 @@ Status frontShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& 
 }
 
 // The same as deep as a side outline says.
-Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
+Status sidedShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
   const std::optional<document::Outline>* side = document::sideOf(from.recipe);
   if (side == nullptr || !*side) return frontShapeOf(from, cache, purpose, shape, clock);
   PartShape made;
   if (Status status = frontShapeOf(from, cache, purpose, made, clock); !status.ok()) return status;
   const double started = nowMs(clock);
   if (Status status = sideStage(from.recipe, from.document, made); !status.ok()) return status;
+  made.ms.loft += nowMs(clock) - started;
+  shape = std::move(made);
+  return Done{};
+}
+
+// The same with its pulls. What comes before them is kept, so that a hand which moves one waits for nothing else.
+Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
+  if (from.pulls.empty()) return sidedShapeOf(from, cache, purpose, shape, clock);
+  const bool keeps = !needsEdges(from.recipe) || cache.edges(from.entry.contentHash);
+  ShapeKey key = keeps ? unpulledKey(from.recipe, from.entry, from.document, from.part) : ShapeKey{};
+  PartShape made;
+  if (const auto known = key ? cache.unpulled(key) : nullptr) {
+    made = *known;
+    made.ms = {};
+  } else {
+    if (Status status = sidedShapeOf(from, cache, purpose, made, clock); !status.ok()) return status;
+    if (made.quality == TraceQuality::Live) key = {};
+    if (key) cache.keepUnpulled(key, std::make_shared<const PartShape>(made));
+  }
+  const double started = nowMs(clock);
+  const TraceQuality quality = purpose == Purpose::Live ? TraceQuality::Live : TraceQuality::Final;
+  if (Status status = pullStage(from.pulls, key, quality, cache, made); !status.ok()) return status;
   made.ms.loft += nowMs(clock) - started;
   shape = std::move(made);
   return Done{};
@@ -270,7 +293,8 @@ DerivedPart derivePart(const document::Document& document, const document::Part&
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
     PartShape shape;
-    const Status made = shapeOf({part.recipe, entry, document, part.id}, cache, Purpose::Part, shape, clock);
+    const Status made =
+        shapeOf({part.recipe, entry, document, part.id, part.pulls}, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
       shape.key = key;
       shape.outlineInk = outlineInk(shape, entry);
@@ -312,36 +336,36 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
 namespace {
 
 Status shapeFor(Purpose purpose, const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                PartShape& shape, const Clock& clock) {
+                PartShape& shape, const Clock& clock, Pulls pulls) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf({recipe, *entry, document, {}}, cache, purpose, shape, clock);
+  return shapeOf({recipe, *entry, document, {}, pulls}, cache, purpose, shape, clock);
 }
 
 }  // namespace
 
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                    const Clock& clock) {
-  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock);
+                    const Clock& clock, Pulls pulls) {
+  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock, pulls);
 }
 
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                 const Clock& clock) {
-  return shapeFor(Purpose::Live, document, recipe, cache, shape, clock);
+                 const Clock& clock, Pulls pulls) {
+  return shapeFor(Purpose::Live, document, recipe, cache, shape, clock, pulls);
 }
 
 Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                               const Clock& clock) {
+                               const Clock& clock, Pulls pulls) {
   PartShape shape;
-  const Status made = previewShape(document, recipe, cache, shape, clock);
+  const Status made = previewShape(document, recipe, cache, shape, clock, pulls);
   if (!made.ok()) return made.failure();
   return shape;
 }
 
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                            const Clock& clock) {
+                            const Clock& clock, Pulls pulls) {
   PartShape shape;
-  const Status made = liveShape(document, recipe, cache, shape, clock);
+  const Status made = liveShape(document, recipe, cache, shape, clock, pulls);
   if (!made.ok()) return made.failure();
   return shape;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/base/progress.h"
@@ -72,24 +73,26 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
 /// The job of the texture of one of `wantedTextures`. Null when there is no such part with a shape, or no memory.
 std::shared_ptr<TextureJob> makeTexture(const document::Document& document, const Derived& derived, PartId part);
 
+using Pulls = std::span<const pull::Pull>;
+
 /// What a recipe would become with the edges known so far (guessed ribs where there are none yet),
 /// for a part that is not in the document or differs from it. Traced
 /// ribs are used again: while edits, sections, ends or pose change, only the later stages run. Errors: NoSuchPicture,
 /// those of the stages.
 Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                               const Clock& clock = {});
+                               const Clock& clock = {}, Pulls pulls = {});
 /// The same in place of what `shape` held, which a failure leaves as it was.
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                    const Clock& clock = {});
+                    const Clock& clock = {}, Pulls pulls = {});
 
 /// The same for a stroke that is being drawn. Ribs that are not known yet come from a live trace and have
 /// TraceQuality::Live. Call previewShape when the pen rests.
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                            const Clock& clock = {});
+                            const Clock& clock = {}, Pulls pulls = {});
 /// The same in place of what `shape` held, which a failure leaves as it was. A stroke like an earlier one asks for
 /// no memory, where shapeStage asks for none.
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                 const Clock& clock = {});
+                 const Clock& clock = {}, Pulls pulls = {});
 
 /// The recipe's stroke as far as it lies on the object, by the edges known so far (ribs::strokeOnThing); the whole
 /// stroke where none are known. Picture pixels.

@@ -62,6 +62,10 @@ void mix(Hasher& hasher, const loft::SectionKey& key) {
   mix(hasher, blend);
 }
 void mix(Hasher& hasher, const ModelPoint& p) { mixAll(hasher, p.x, p.y, p.z); }
+void mix(Hasher& hasher, const std::vector<ModelPoint>& points) {
+  hasher.number(points.size());
+  for (const ModelPoint& p : points) mix(hasher, p);
+}
 void mix(Hasher& hasher, const stack::Curve& curve) {
   const auto& [through, corners, open, as, width, base, forkAt, joinAt] = curve;
   const auto& [all, at] = corners;
@@ -363,11 +367,31 @@ ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& 
   return ShapeKey{hasher.value()};
 }
 
+ShapeKey unpulledKey(const document::Recipe& recipe, const document::PictureEntry& entry,
+                     const document::Document& document, PartId part) {
+  const auto* element = std::get_if<document::ElementRecipe>(&recipe);
+  return element ? shapeKey(*element, entry, document, part) : shapeKey(recipe, entry, document);
+}
+
+ReachKey reachKey(ShapeKey before, const pull::Pull& pull) {
+  const auto& [line, height, to, radius, crease] = pull;
+  Hasher hasher;
+  hasher.text("reach").number(before.hash);
+  mix(hasher, line);
+  mix(hasher, to);
+  mixAll(hasher, radius, crease);
+  return ReachKey{hasher.value()};
+}
+
+ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull) {
+  return ShapeKey{Hasher().text("pull").number(reachKey(before, pull).hash).number(pull.height).value()};
+}
+
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
-  const document::ElementRecipe* element = document::elementOf(part);
-  const ShapeKey key = element ? shapeKey(*element, entry, document, part.id) : shapeKey(part.recipe, entry, document);
+  ShapeKey key = unpulledKey(part.recipe, entry, document, part.id);
+  for (const pull::Pull& pull : part.pulls) key = pulledKey(key, pull);
   return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
 }
 

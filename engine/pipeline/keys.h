@@ -35,6 +35,14 @@ ShapeKey shapeKey(const document::InflateRecipe& recipe, const document::Picture
 ShapeKey shapeKey(const document::ExtrudeRecipe& recipe, const document::PictureEntry& entry);
 ShapeKey shapeKey(const document::LatheRecipe& recipe, const document::PictureEntry& entry);
 
+/// Of a shape before its pulls. `part`: which it is, for a piece of a line drawing.
+ShapeKey unpulledKey(const document::Recipe& recipe, const document::PictureEntry& entry,
+                     const document::Document& document, PartId part);
+/// Of what a pull reaches on the shape that was there before it: all of it but the height.
+ReachKey reachKey(ShapeKey before, const pull::Pull& pull);
+/// Of that shape pulled.
+ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull);
+
 /// Of the skeleton and the fields of a puff with a slice: the region, the picture's size, the edits, the places of the
 /// slices, how fine they are. What the slices look like is not part of it.
 InteriorKey interiorKey(const document::InflateRecipe& recipe, const document::PictureEntry& entry);

@@ -24,6 +24,12 @@ std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
   return bytes;
 }
 
+std::size_t bytesOf(const std::vector<PulledLine>& lines) {
+  std::size_t bytes = 0;
+  for (const PulledLine& line : lines) bytes += sizeof(line) + line.points.size() * sizeof(ModelPoint);
+  return bytes;
+}
+
 // What may fail comes first, so that a failure leaves the shape as it was.
 Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture, const Clock& clock,
                  ShapeMemory& memory, PartShape& shape) {
@@ -43,6 +49,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   loft::carryRibs(memory.posed, shape.shown);
   loft::centreLine(memory.posed, traced.spine.points.size(), shape.centreLine);
   shape.contours.clear();
+  shape.pulled.clear();
   shape.mesh = memory.mesh;
   shape.texture.reset();
   shape.textureKey = shape.wantedTexture = {};
@@ -67,7 +74,7 @@ std::size_t bytesOf(const PartShape& shape) {
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
          bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
          bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) + bytes(shape.ways.links) +
-         bytes(shape.ways.forks) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+         bytesOf(shape.pulled) + bytes(shape.ways.forks) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const std::vector<ribs::IgnoreMark>& marks) {

@@ -50,6 +50,13 @@ struct TracedRibs {
   TraceQuality quality = TraceQuality::Final;
 };
 
+/// Where a pull left its line.
+struct PulledLine {
+  std::vector<ModelPoint> points;  ///< on the surface as the pull left it, from one end to the other
+  ModelPoint out;                  ///< unit: out of the surface in the middle of the line, before it was pulled
+  double share = 1;                ///< of the way that was asked for: less where the part would go through itself
+};
+
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
 /// what is made of a region, bones only of puffs with a slice; for others they are empty.
 struct PartShape {
@@ -61,6 +68,7 @@ struct PartShape {
   std::vector<std::vector<PicturePoint>> contours;  ///< of the region as cleaned or turned, closed
   std::vector<inflate::EditedSkeleton> bones;       ///< one a piece of the region
   stack::Ways ways;                                 ///< of curves on planes: which becomes which
+  std::vector<PulledLine> pulled;                   ///< one a pull of the part
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
@@ -143,6 +151,13 @@ Result<PartShape> outlineStage(const document::ShapeRecipe& recipe, const docume
 /// the centre line goes along. A failure leaves the shape as it was. Errors: ViewInvalid, those of shape::fitToSide,
 /// OutOfMemory.
 Status sideStage(const document::Recipe& recipe, const document::Document& document, PartShape& shape);
+
+class Cache;
+/// Pulls the mesh, one after the other. `before`: unpulledKey of the shape, by which `cache` knows what a pull reaches;
+/// none: it is not looked there. Live: whether it goes through itself is not looked at. A failure leaves the shape as
+/// it was. Errors: those of pull::reachOf, OutOfMemory.
+Status pullStage(std::span<const pull::Pull> pulls, ShapeKey before, TraceQuality quality, Cache& cache,
+                 PartShape& shape);
 
 /// Both in one go, for a picture without marks of its own.
 Result<PartShape> shapePart(const document::LoftRecipe& recipe, const image::EdgeMap& edges, image::Size picture,

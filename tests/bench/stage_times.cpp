@@ -27,6 +27,7 @@
 #include "tests/bench/must.h"
 #include "tests/bench/pen_stages.h"
 #include "tests/bench/puff_stages.h"
+#include "tests/bench/pull_stages.h"
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
@@ -137,6 +138,7 @@ void printStageTimes() {
   reportRegionStages(report);
   bench::reportDrawingStages(report);
   bench::reportLayerStages(report);
+  bench::reportPullStages(report);
   bench::reportPenStages(picture, edges, report);
   timeRibDrag(report, picture, edges, recipe.stroke);
   bench::reportTwoWorkers(picture, report);
@@ -191,6 +193,9 @@ int main(int count, char** words) {
   } else if (count == 2 && std::string(words[1]) == "--layers") {
     bench::Report report;
     bench::reportLayerStages(report);
+  } else if (count == 2 && std::string(words[1]) == "--pulls") {
+    bench::Report report;
+    bench::reportPullStages(report);
   } else if (count == 2 && std::string(words[1]) == "--workers") {
     bench::Report report;
     bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
@@ -198,8 +203,8 @@ int main(int count, char** words) {
     printStageTimes();
   } else {
     std::cerr
-        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --workers, --programs and a "
-           "number, or --ribs and a case folder\n";
+        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --pulls, --workers, --programs "
+           "and a number, or --ribs and a case folder\n";
     return 2;
   }
   return 0;

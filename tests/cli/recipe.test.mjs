@@ -33,6 +33,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'creature-of-lines',
     'crossed-pipes',
     'elliptical-ring',
+    'face',
     'hand',
     'helix',
     'letters',

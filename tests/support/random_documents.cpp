@@ -323,6 +323,20 @@ struct Make<SetSide> {
   }
 };
 template <>
+struct Make<SetPulls> {
+  static SetPulls from(Rng& rng, const Document& d) {
+    SetPulls set{anyPart(rng, d), {}};
+    const auto place = [&] { return ModelPoint{rng.uniform(0, 90), rng.uniform(-90, 0), rng.uniform(-20, 20)}; };
+    for (std::uint32_t i = rng.below(3); i > 0; --i) {
+      pull::Pull pull{{place()}, rng.uniform(-20, 20), {}, rng.uniform(1, 60), rng.below(2) == 0};
+      if (rng.below(2) == 0) pull.line.push_back(place());
+      if (rng.below(3) == 0) pull.to = {place(), place()};
+      set.pulls.push_back(std::move(pull));
+    }
+    return set;
+  }
+};
+template <>
 struct Make<SetView> {
   static SetView from(Rng& rng, const Document& d) {
     if (rng.below(4) == 0) return {anyPicture(rng, d), std::nullopt};

@@ -16,11 +16,11 @@ namespace spineloft::app {
 namespace {
 
 /// In the order of the command bar.
-constexpr std::array kGroups = {generalCommands, ribCommands,   regionCommands,    puffBoneCommands,     latheCommands,
-                                layerCommands,   shapeCommands, shapeToolCommands, lineCommands,         cutCommands,
-                                outlineCommands, spineCommands, sectionCommands,   sectionBoardCommands, sketchCommands,
-                                placeCommands,   lookCommands,  sizeCommands,      solidCommands,        hollowCommands,
-                                keepCommands};
+constexpr std::array kGroups = {
+    generalCommands, ribCommands,       regionCommands,       puffBoneCommands, latheCommands, layerCommands,
+    shapeCommands,   shapeToolCommands, lineCommands,         pullCommands,     cutCommands,   outlineCommands,
+    spineCommands,   sectionCommands,   sectionBoardCommands, sketchCommands,   placeCommands, lookCommands,
+    sizeCommands,    solidCommands,     hollowCommands,       keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

@@ -116,6 +116,16 @@ Outcome startCutOut(const CommandEnv& env, const vision::CutHints& hints, PartId
 /// Corrects what is being cut out.
 Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line, double radius);
 
+// ---- Pulls -------------------------------------------------------------------------------------------------------
+
+/// A pull along a line on the surface of a part, ModelSpace, as the tool is set; it is chosen.
+Outcome drawPull(const CommandEnv& env, PartId part, const std::vector<ModelPoint>& line);
+/// The stretch of its visible outline beside a stroke, CSS pixels of the canvas, goes to the stroke; its ends are
+/// within `reach` of the outline.
+Outcome redrawSeenOutline(const CommandEnv& env, PartId part, const std::vector<ClientPoint>& stroke, double reach);
+/// Another value for one of its pulls; says where it cannot go all the way.
+Outcome setPull(const CommandEnv& env, PartId part, std::size_t number, const pull::Pull& pull);
+
 // ---- Shapes ------------------------------------------------------------------------------------------------------
 
 /// A new one. `lie` as of DrawSpineIntent.

@@ -77,7 +77,7 @@ Standing standingActions(Env env, document::Action draw, const document::Recipe&
   const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(recipe));
   if (document.parts.empty() || entry == nullptr) return out;
   pipeline::PartShape shape;
-  if (!env.studio.preview(recipe, shape)) return out;  // the drawing itself says why
+  if (!env.studio.preview(recipe, {}, shape)) return out;  // the drawing itself says why
   const pipeline::Derived& derived = env.studio.derived();
   document::Placement placement = pipeline::standBeside(document, derived, entry->id, shape.mesh);
   if (lie) {

@@ -17,6 +17,7 @@
 
 #include "web/commands/drawing_json.h"
 #include "web/commands/modes.h"
+#include "web/commands/pull_json.h"
 #include "web/commands/section_json.h"
 #include "web/commands/sheet_json.h"
 #include "web/edit/solid_editing.h"
@@ -76,7 +77,8 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
   json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone);
-  json.key("shapeHandle").number(ui.chosen.shape).key("bridge").number(ui.chosen.bridge).key("outline");
+  json.key("shapeHandle").number(ui.chosen.shape).key("bridge").number(ui.chosen.bridge);
+  json.key("pull").number(ui.chosen.pull).key("outline");
   if (ui.chosen.outline) {
     json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
     json.number(static_cast<double>(ui.chosen.outline->point)).endArray();
@@ -97,6 +99,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("paintOver").flag(edit.paintOver);
   json.key("depthByPressure").flag(edit.depthByPressure).key("brush").number(edit.brush);
   json.key("hiddenPen").flag(edit.hiddenPen);
+  json.key("pullReach").number(edit.pullReach).key("pullSharp").flag(edit.pullSharp);
   json.endObject();
 }
 
@@ -325,6 +328,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   json.key("picture").number(document::pictureOf(part).value);
   json.key("waiting").flag(derived.waiting);
   writePlacement(json, part, mm);
+  writePulls(json, part, derived);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   json.key("mended").flag(derived.mended != nullptr);
@@ -522,6 +526,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writeBoneHandles(json, env);
   writeShapeInHand(json, env);
   writeDrawings(json, env);
+  writePullKnobs(json, env);
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

@@ -75,6 +75,10 @@ double toBox(const Box& box, ModelPoint eye, ModelPoint direction) {
 
 }  // namespace
 
+double firstHitOf(const mesh::TriMesh& mesh, ModelPoint eye, ModelPoint direction) {
+  return hitOf(mesh, {0, mesh.triangles.size()}, eye, direction).far;
+}
+
 const Picker::Entry& Picker::entryOf(const std::shared_ptr<const pipeline::PartShape>& shape) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.shape.expired(); });
   for (const Entry& entry : entries_) {

@@ -18,6 +18,7 @@ Preview& beginPreview(UiState& ui) {
   Preview& preview = ui.preview.renew();
   preview.asLoft() = kNothingDrawn;
   preview.part = {};
+  preview.pulls.clear();
   preview.look = {};
   preview.fresh = false;
   preview.shape.reset();
@@ -35,6 +36,7 @@ Preview& previewPart(UiState& ui, const document::Part& part) {
   Preview& preview = beginPreview(ui);
   preview.part = part.id;
   preview.recipe = part.recipe;
+  preview.pulls = part.pulls;
   preview.look = part.look;
   return preview;
 }
@@ -73,7 +75,10 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.fresh = true;
   preview.exactMs.reset();
   pipeline::PartShape& shape = preview.shape.room();
-  const Status made = rests ? studio.preview(preview.recipe, shape) : studio.previewLive(preview.recipe, shape);
+  // Pulls under a moving hand go all their way: whether the part then goes through itself says the exact shape alone.
+  const bool exact = rests || (preview.guarded && !preview.pulls.empty());
+  const Status made = exact ? studio.preview(preview.recipe, preview.pulls, shape)
+                            : studio.previewLive(preview.recipe, preview.pulls, shape);
   if (made && preview.guarded) {
     const auto at = mesh::selfCrossing(shape.mesh);
     preview.crossing = at ? std::optional(ModelPoint{(*at)[0], (*at)[1], (*at)[2]}) : std::nullopt;

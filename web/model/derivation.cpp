@@ -168,12 +168,12 @@ void Derivation::findEdges(PictureId id) {
       });
 }
 
-Status Derivation::preview(const document::Recipe& recipe, pipeline::PartShape& shape) {
-  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
+Status Derivation::preview(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
+  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, pulls);
 }
 
-Status Derivation::previewLive(const document::Recipe& recipe, pipeline::PartShape& shape) {
-  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); });
+Status Derivation::previewLive(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
+  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, pulls);
 }
 
 std::vector<PicturePoint> Derivation::strokeOnThing(const document::LoftRecipe& recipe) {
@@ -215,6 +215,9 @@ void Derivation::previewPinned(const document::PinDepth& pin) {
     if (part == preview_->parts.end() || !part->shape) continue;
     auto shape = std::make_shared<pipeline::PartShape>(*part->shape);
     if (!pipeline::elementStage(*solved, i, *shape)) continue;
+    const document::Part* piece = document::findPart(next.value(), plain.pieces[i]);
+    const pipeline::Pulls pulls = piece ? pipeline::Pulls(piece->pulls) : pipeline::Pulls();
+    if (!pulls.empty() && !pipeline::pullStage(pulls, {}, pipeline::TraceQuality::Live, cache_, *shape)) continue;
     shape->key = ShapeKey{Hasher().text("pinned").number(part->shape->key.hash).number(pin.z.value_or(0)).value()};
     part->shape = std::move(shape);
   }

@@ -35,8 +35,8 @@ class Derivation {
   void forget();
 
   /// See Studio.
-  Status preview(const document::Recipe& recipe, pipeline::PartShape& shape);
-  Status previewLive(const document::Recipe& recipe, pipeline::PartShape& shape);
+  Status preview(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape);
+  Status previewLive(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape);
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
   void previewSolid(const publish::Substitute& instead);
   void previewPlaced(const document::PlaceParts& places);

@@ -52,6 +52,7 @@ constexpr std::array kAspects = {
         "Twist and depth",
         lofted<&loft::LoftParams::twist, &loft::LoftParams::squash, &loft::LoftParams::tilt, &loft::LoftParams::bulge>},
     Aspect{"Outline", regionDiffers},
+    Aspect{"Pull", differs<&Part::pulls>},
     Aspect{"Shape", differs<&Part::recipe>},
     Aspect{"Colour", differs<&Part::look>},
     Aspect{"Place", differs<&Part::placement>},

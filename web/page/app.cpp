@@ -145,6 +145,9 @@ void App::settleChosen() {
     if (ui_.chosen.shape >= count) ui_.chosen.shape = -1;
     if (ui_.hover.shape >= count) ui_.hover.shape = -1;
   }
+  const int pulls = part ? static_cast<int>(part->pulls.size()) : 0;
+  if (ui_.chosen.pull >= pulls) ui_.chosen.pull = -1;
+  if (ui_.hover.pull >= pulls) ui_.hover.pull = -1;
   if (ui_.chosen.bridge >= 0 || ui_.hover.bridge >= 0) {
     const auto count = static_cast<int>(lineMarks(studio_.document(), studio_.derived(), ui_).bridges.size());
     if (ui_.chosen.bridge >= count) ui_.chosen.bridge = -1;

@@ -52,6 +52,8 @@ Ids itemsOf(const PanelEnv& env) {
   static constexpr app::CommandId kLayers[] = {"layer-up",   "layer-down", "layer-circle", "layer-square",
                                                "layer-copy", "layer-face", "layer-remove"};
   static constexpr app::CommandId kLines[] = {"seen-pen", "hidden-pen"};
+  static constexpr app::CommandId kPull[] = {"pull-out",   "pull-in",   "pull-narrower", "pull-wider",
+                                             "pull-sharp", "pull-next", "pull-remove"};
   static constexpr app::CommandId kHollow[] = {"hollow-use", "hollow-cancel", "hollow-next"};
   static constexpr app::CommandId kNew[] = {"in-front", "inside", "behind"};
   static constexpr app::CommandId kWays[] = {"draw", "puff", "sheet"};
@@ -70,6 +72,8 @@ Ids itemsOf(const PanelEnv& env) {
       return kLayers;
     case app::ToolKind::Lines:
       return kLines;
+    case app::ToolKind::Pull:
+      return kPull;
     case app::ToolKind::Ribs:
       return kRibs;
     case app::ToolKind::Shape:

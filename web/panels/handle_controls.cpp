@@ -12,6 +12,7 @@
 #include "web/edit/line_drawing.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
+#include "web/edit/pulling.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/shaping.h"
 #include "web/panels/draw_lines.h"
@@ -92,6 +93,28 @@ void dots(const PanelEnv& env) {
     const double now = dot.where.z * mm;
     const auto asked = pointSlider(env, what, {-side * mm, side * mm, now, numberText("{n} mm", now, 1)});
     if (asked) env.sink.run(app::pinDepth, document::PinDepth{dot.drawing, dot.line, dot.at, *asked / mm});
+  }
+}
+
+/// The height of every pull of the part in hand, in millimetres of the model.
+void pulls(const PanelEnv& env) {
+  const app::PulledPart part = app::pulledPart(env.document(), env.derived, env.ui());
+  const document::PictureEntry* entry =
+      part ? document::findPicture(env.document(), document::pictureOf(*part.part)) : nullptr;
+  if (entry == nullptr || env.ui().preview) return;
+  const double side = std::max(entry->size.width, entry->size.height);
+  const double mm = app::mmPerUnit(env.document(), env.derived) * part.toWorld().scale;  // a pixel of the picture
+  for (std::size_t i = 0; i < part.pulls.size() && mm > 0; ++i) {
+    const auto knob = app::pullKnob(part, env.ui(), i);
+    const PointControl what{"pull" + std::to_string(i),
+                            words::tr("Height of pull {n} of {all}", {{"n", i + 1}, {"all", part.pulls.size()}}),
+                            knob ? ImVec2{static_cast<float>(knob->at.x), static_cast<float>(knob->at.y)} : ImVec2{}};
+    const pipeline::PulledLine& line = part.shape->pulled[i];
+    const double now = app::heightOf(part.pulls[i], line) * mm;
+    const auto asked = pointSlider(env, what, {-side * mm / 2, side * mm / 2, now, numberText("{n} mm", now, 1)});
+    if (!asked) continue;
+    const pull::Pull changed = app::raised(part.pulls[i], line, (*asked - now) / mm);
+    env.sink.run(app::setPull, part.part->id, i, changed);
   }
 }
 
@@ -221,6 +244,7 @@ void tellHandles(const PanelEnv& env) {
   shapes(env);
   lines(env);
   dots(env);
+  pulls(env);
   ImGui::PopID();
 }
 

@@ -71,6 +71,7 @@ void drawDots(const PanelEnv& env) {
 void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   drawSheet(env);
+  drawPulls(env);
   drawSlicesInSolid(env);
   drawDots(env);
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);

@@ -19,6 +19,8 @@ ImU32 toolColour(app::ToolKind tool) {
       return rgb(0x8a4bc9);
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);
+    case app::ToolKind::Pull:
+      return rgb(0xb01f72);
     case app::ToolKind::Place:
       return rgb(0x5b3fb5);
     default:

@@ -310,6 +310,12 @@ void drawHints(const PanelEnv& env) {
     pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
          {"Draw a closed line on the sheet", kAccent, kOnAccent});
   }
+  const document::Part* pulled = env.ui().tool == app::ToolKind::Pull ? env.selected() : nullptr;
+  const bool draws = !env.ui().inHand.onSolid.empty() || !env.ui().inHand.besideSolid.empty();
+  if (pulled != nullptr && pulled->pulls.empty() && !draws && !env.ui().solids.hollow) {
+    pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
+         {"Tap the solid, or draw a line on it", kAccent, kOnAccent});
+  }
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing && !layers) {
     pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
@@ -348,8 +354,8 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "shapes",   "lines",
                                             "spin", "layers",       "hand",  "ribs",     "shape",
                                             "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
-  constexpr app::CommandId kSolidFew[] = {"move", "home-view"};
-  constexpr app::CommandId kSolidAll[] = {"move", "zoom-out", "zoom-in", "home-view"};
+  constexpr app::CommandId kSolidFew[] = {"pull", "move", "home-view"};
+  constexpr app::CommandId kSolidAll[] = {"pull", "move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;
   const bool few = layout.stacked || env.ui().touch || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
@@ -370,8 +376,9 @@ void drawViewChrome(const PanelEnv& env) {
       layout.stacked || env.ui().touch || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
   env.ui().solidButtons = {};
   if (env.ui().solids.hollow) return;  // its bar is in their place
-  env.ui().solidButtons = buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid,
-                                        fewSolid ? Ids(kSolidFew) : Ids(kSolidAll), app::Focus::Solid});
+  const Ids onSolid = Ids(fewSolid ? Ids(kSolidFew) : Ids(kSolidAll)).subspan(env.ui().allTools && !empty ? 0 : 1);
+  env.ui().solidButtons =
+      buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, onSolid, app::Focus::Solid});
 }
 
 void drawActivity(const PanelEnv& env) {

@@ -171,6 +171,8 @@ export interface Part {
   shape: ShapeInfo | null;
   /** Of a loft or a puff whose depth an outline in a side picture says; pixels of that picture. */
   side: { picture: number; lines: PicturePoint[][] } | null;
+  /** Lines on its surface that are moved, in order: how many points each has and how many it goes to, height and radius in picture pixels, and the share of the way that it could go without going through itself. */
+  pulls: { points: number; height: number; to: number; radius: number; crease: boolean; share: number }[];
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
@@ -312,7 +314,7 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes', 'lines' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes', 'lines', 'pull' */
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
@@ -350,6 +352,8 @@ export interface State {
   lineEnds: [number, number][];
   /** What it can drag nearer or farther of the selected piece in the solid view, the same: places `along` a line, 0 to 1, at the depth `z` in picture pixels, `pinned` where it is given. */
   depthDots: { line: number; along: number; z: number; pinned: boolean; at: [number, number] }[];
+  /** Knobs of the pulls of the part in hand of the tool 'pull', CSS pixels of the canvas (null: behind the eye); a drag takes those that face the eye, and the chosen one. */
+  pullKnobs: { pull: number; facing: boolean; at: [number, number] | null }[];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */
@@ -393,6 +397,7 @@ export interface State {
     boneHandle: number;
     shapeHandle: number;
     bridge: number;
+    pull: number;
     outline: [number, number] | null;
   };
   /** Rib ends that the line in hand moves. */
@@ -409,6 +414,9 @@ export interface State {
     brush: number;
     /** Lines of the tool 'lines' have something in front of them. */
     hiddenPen: boolean;
+    /** Of the next pull: its radius, a share of the part's diagonal, and whether it makes an edge along its line. */
+    pullReach: number;
+    pullSharp: boolean;
   };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];

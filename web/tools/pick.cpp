@@ -1,6 +1,8 @@
 #include "web/tools/pick.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 
 #include "engine/geometry/line_distance.h"
@@ -12,6 +14,7 @@
 #include "web/edit/picker.h"
 #include "web/edit/placing.h"
 #include "web/edit/puff_bones.h"
+#include "web/edit/pulling.h"
 #include "web/edit/region_editing.h"
 #include "web/edit/section_editing.h"
 #include "web/edit/shaping.h"
@@ -182,6 +185,7 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   if (const std::optional<app::Gizmo> gizmo = app::shownGizmo(env.document, env.derived, ui)) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
+  hover.pull = app::pullKnobAt(app::pulledPart(env.document, env.derived, ui), ui, event.at, reachOf(event));
   const SheetGrip grip = gripAt(env, event);
   hover.sheet = grip.hold;
   hover.joint = grip.joint;
@@ -191,6 +195,18 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
   const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, event.at)};
   hover.part = env.picker->partUnderRay(env.document, env.derived, env.ui, ray);
   return hover;
+}
+
+bool isBesidePart(const ToolEnv& env, const ToolEvent& event) {
+  constexpr int kRays = 12;
+  const app::UiState& ui = env.ui;
+  for (int i = 0; i < kRays; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRays;
+    const app::ClientPoint at = event.at + app::ClientPoint{std::cos(angle), std::sin(angle)} * reachOf(event);
+    const app::Ray ray{ui.camera.eye(), app::rayThrough(ui.camera, ui.layout.solid, at)};
+    if (ui.selection && env.picker->partUnderRay(env.document, env.derived, ui, ray) == ui.selection) return true;
+  }
+  return false;
 }
 
 const char* cursorFor(const app::UiState& ui, app::Focus view) {
@@ -204,6 +220,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.bone >= 0) return "grab";
     if (hover.depth >= 0) return "ns-resize";
+    if (ui.tool == ToolKind::Pull) return hover.pull >= 0 ? "grab" : hover.part ? "crosshair" : "grab";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";
   }
   switch (ui.tool) {

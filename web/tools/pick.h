@@ -13,6 +13,8 @@ inline constexpr double kMouseReach = 11, kTouchReach = 24;
 app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event);
 /// Under a point of the solid view.
 app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event);
+/// In the solid view beside the part in hand, so near that a line from there is meant for its outline.
+bool isBesidePart(const ToolEnv& env, const ToolEvent& event);
 /// What a picture pixel nearer to the one who looks at the picture is on the canvas, at a place of a part; CSS pixels.
 /// Seen from the front depth has no length on the screen; then it goes down, and not too little.
 app::ClientPoint nearerOnCanvas(const ToolEnv& env, const pipeline::ToWorld& toWorld, ModelPoint at);

@@ -9,6 +9,7 @@
 #include "web/tools/pin_tool.h"
 #include "web/tools/place_tool.h"
 #include "web/tools/primitive_tool.h"
+#include "web/tools/pull_tool.h"
 #include "web/tools/region_tool.h"
 #include "web/tools/rib_tool.h"
 #include "web/tools/shape_tool.h"
@@ -47,6 +48,7 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
     case ToolKind::Hand:
     case ToolKind::Place:  // which work in the solid view
     case ToolKind::Layers:
+    case ToolKind::Pull:
     case ToolKind::kCount:
       break;
   }
@@ -59,6 +61,8 @@ std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   if (under.depth >= 0) return std::make_unique<DepthTool>();
   if (env.ui.solids.pointing || env.ui.solids.hollow) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);
   if (under.bone >= 0) return std::make_unique<BoneTool>(app::Focus::Solid);
+  const bool pulls = env.ui.tool == app::ToolKind::Pull;
+  if (pulls && (under.pull >= 0 || under.part || isBesidePart(env, event))) return std::make_unique<PullTool>();
   if (under.sheet != SheetHold::Nothing) return std::make_unique<SheetTool>();
   const bool held = under.gizmo != app::GizmoHandle::None || under.part;
   if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();

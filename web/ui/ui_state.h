@@ -48,17 +48,20 @@ enum class ToolKind : std::uint8_t {
   Layers,     ///< closed lines on a sheet in the solid view, one above the other
   Primitive,  ///< shapes: from one end of the axis to the other; their handles and outlines
   Lines,      ///< lines of a line drawing, seen and hidden: what they close becomes a piece
+  Pull,       ///< lines on the solid, which move its surface out or in
   kCount
 };
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin",
-/// "layers", "shapes", "lines".
+/// "layers", "shapes", "lines", "pull".
 std::string_view toolKey(ToolKind tool);
 /// What it draws is a part that is made of a region.
 constexpr bool drawsRegions(ToolKind tool) {
   return tool == ToolKind::Inflate || tool == ToolKind::Extrude || tool == ToolKind::Spin;
 }
 /// It is used in the solid view.
-constexpr bool worksInSolid(ToolKind tool) { return tool == ToolKind::Place || tool == ToolKind::Layers; }
+constexpr bool worksInSolid(ToolKind tool) {
+  return tool == ToolKind::Place || tool == ToolKind::Layers || tool == ToolKind::Pull;
+}
 /// It can cut a thing out of the picture.
 constexpr bool cutsOut(ToolKind tool) { return tool == ToolKind::Inflate || tool == ToolKind::Extrude; }
 enum class Focus : std::uint8_t { Picture, Solid };
@@ -71,6 +74,7 @@ enum class PanelTab : std::uint8_t { Parts, Section, Along, Ends, Look, Size, Pl
 /// allows, and both views show it in place of the part. See preview.h.
 struct Preview {
   document::Recipe recipe;
+  std::vector<pull::Pull> pulls;
   PartId part;  ///< the one that it replaces on the screen; none: a new part
   document::Look look;
   bool fresh = false;                   ///< `shape` is of this very recipe
@@ -182,6 +186,7 @@ struct Hover {
   bool outlineOfShape = false;       ///< a line from here redraws its outline
   int bridge = -1;                   ///< of bridgesOn: where a tap swaps two pieces of a line drawing
   int looseEnd = -1;                 ///< of looseEndsOn: where a tap closes a line
+  int pull = -1;                     ///< of the pulls of the part in hand: its knob
   std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
@@ -195,6 +200,7 @@ struct Chosen {
   int bone = -1;                             ///< of boneHandles of a puff
   int shape = -1;                            ///< of shapeHandles of a shape
   int bridge = -1;                           ///< of bridgesOn
+  int pull = -1;                             ///< of the pulls of the part
   bool operator==(const Chosen&) const = default;
 };
 
@@ -202,6 +208,8 @@ struct Chosen {
 struct InHand {
   std::vector<PicturePoint> stroke;       ///< picture pixels
   double radius = 0;                      ///< of a brush, picture pixels; 0: a thin line
+  std::vector<ModelPoint> onSolid;        ///< a line on the surface of the part in hand
+  std::vector<ClientPoint> besideSolid;   ///< a line for its outline as it is seen, CSS pixels of the canvas
   bool hidden = false;                    ///< the stroke is of a hidden line
   bool box = false;                       ///< the stroke's first and last point span a box
   std::vector<ribs::EndRef> touched;      ///< rib ends that it moves
@@ -222,10 +230,12 @@ struct EditOptions {
   bool paintOver = false;        ///< what a scribble covers is not on the part
   bool depthByPressure = false;  ///< a pen's pressure becomes the depth of the spine
   bool hiddenPen = false;        ///< lines of a line drawing have something in front of them
+  double pullReach = 0.12;       ///< radius of a pull, share of the part's diagonal, kLeastPullReach … kMostPullReach
+  bool pullSharp = false;        ///< a pull makes an edge along its line
   double brush = 14;             ///< radius of a scribble, CSS pixels
   bool operator==(const EditOptions&) const = default;
 };
-inline constexpr double kMostReach = 0.5;
+inline constexpr double kMostReach = 0.5, kLeastPullReach = 0.02, kMostPullReach = 0.6;
 
 /// How parts are taken in hand; lasts until it is changed.
 struct PlaceOptions {

@@ -419,6 +419,15 @@ TEST_CASE("the golden document with a line drawing seen from below reads as what
   CHECK(read.parts == plain.parts);
 }
 
+TEST_CASE("the golden document with pulls reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-pulls.json");
+  REQUIRE(read.parts.size() == 1);
+  const std::vector<pull::Pull> pulls{
+      {{{60, -40, 12}}, 7.5, {}, 12, false},
+      {{{40, -30, 10}, {60, -28, 11.25}, {80, -30, 10}}, 0, {{40, -30, 16}, {60, -24, 20}, {80, -30, 16}}, 9.5, true}};
+  CHECK(read.parts[0]->pulls == pulls);
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {
@@ -431,8 +440,8 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
     // A key that is spelled takes as many characters of a link as its name has; the examples never change.
-    static const std::set<std::string> kCameLater{"forkAt", "joinAt", "links",
-                                                  "melt",   "on",     "seenFrom"};  // than version 6
+    static const std::set<std::string> kCameLater{"crease", "forkAt", "joinAt",   "links", "melt",
+                                                  "on",     "pulls",  "seenFrom", "to"};  // than version 6
     CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }
 }

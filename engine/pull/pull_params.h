@@ -1,0 +1,29 @@
+// What a pull is.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/base/vec.h"
+
+namespace spineloft::pull {
+
+/// A line on a part, and where it goes. All in ModelSpace, picture pixels. Where the part is another one than when the
+/// line was drawn, the line lies at the places of its surface that are nearest.
+struct Pull {
+  std::vector<ModelPoint> line;  ///< 1 … kMostLinePoints; one point: a place
+  double height = 0;             ///< along the surface's normals, < 0: inwards
+  std::vector<ModelPoint> to;    ///< where the line goes instead, by shares of both lengths; none: `height` counts
+  double radius = 40;            ///< kLeastRadius … kMostRadius; what is farther from the line stays
+  bool crease = false;           ///< an edge along the line; else smooth
+  bool operator==(const Pull&) const = default;
+};
+
+inline constexpr std::size_t kMostPulls = 40, kMostLinePoints = 200;  ///< of a part; of a line
+inline constexpr double kLeastRadius = 2, kMostRadius = 20000, kMostHeight = 20000;
+
+/// Error: ValueOutOfRange, with what.
+Status checkPulls(const std::vector<Pull>& pulls);
+
+}  // namespace spineloft::pull

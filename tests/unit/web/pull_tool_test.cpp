@@ -1,0 +1,270 @@
+// The tool Pull: lines on the solid, knobs by every pointer, keys and words.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/document/update.h"
+#include "tests/unit/web/rig.h"
+
+using namespace spineloft;
+using test::Rig;
+
+namespace {
+
+constexpr std::array kDevices = {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen};
+
+/// A puff, seen from the front in the solid view, with the tool in hand.
+struct Pulls : Rig {
+  explicit Pulls(platform::CanvasSize size = {1200, 700, 1}) : Rig(size) {
+    CHECK(works("new-sketch", R"({"width": 1000, "height": 800})"));
+    CHECK(works("draw-puff", R"({"contours": [[[300, 250], [700, 250], [700, 550], [300, 550]]]})"));
+    CHECK(works("home-view"));
+    CHECK(works("pull"));
+  }
+  bool works(std::string_view id, std::string_view args = {}) {
+    const bool ok = run(id, args).flag("ok") == true;
+    settle();
+    return ok;
+  }
+  std::string fault(std::string_view id, std::string_view args) {
+    const app::Json answer = run(id, args);
+    settle();
+    return answer.text("error") ? *answer.text("error") : std::string();
+  }
+  double undoSteps() { return *state().number("undo"); }
+  app::Json::Array pulls() { return *state().find("parts")->array()->front().find("pulls")->array(); }
+  double chosen() { return *state().find("chosen")->number("pull"); }
+  Vec2<platform::CanvasSpace> knob(std::size_t i) {
+    const app::Json now = state();
+    const auto& at = *(*now.find("pullKnobs")->array()).at(i).find("at")->array();
+    return {*at[0].number(), *at[1].number()};
+  }
+  Vec2<platform::CanvasSpace> middle() {
+    const auto centre = app->ui().layout.solid.centre();
+    return {centre.x, centre.y};
+  }
+  void drag(Vec2<platform::CanvasSpace> from, Vec2<platform::CanvasSpace> to, platform::Device device = {}) {
+    pointer(platform::PointerKind::Down, from.x, from.y, device);
+    for (int i = 1; i <= 10; ++i) {
+      const auto p = lerp(from, to, i / 10.0);
+      pointer(platform::PointerKind::Move, p.x, p.y, device);
+      settle(2);
+    }
+    pointer(platform::PointerKind::Up, to.x, to.y, device);
+    settle();
+  }
+  void draw(const std::vector<Vec2<platform::CanvasSpace>>& line) {
+    pointer(platform::PointerKind::Down, line.front().x, line.front().y);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      for (int k = 1; k <= 6; ++k) {
+        const auto p = lerp(line[i - 1], line[i], k / 6.0);
+        pointer(platform::PointerKind::Move, p.x, p.y);
+      }
+    }
+    pointer(platform::PointerKind::Up, line.back().x, line.back().y);
+    settle();
+  }
+  bool isOnSolid(double x, double y) {
+    pointer(platform::PointerKind::Move, x + 1, y);
+    pointer(platform::PointerKind::Move, x, y);
+    settle(2);
+    return !state().find("hover")->find("part")->isNull();
+  }
+  /// The highest place of the solid, so far beside the middle of its view.
+  Vec2<platform::CanvasSpace> topOfSolid(double beside = 0) {
+    const double x = middle().x + beside;
+    double above = app->ui().layout.solid.y + 60, on = middle().y;
+    REQUIRE(isOnSolid(x, on));
+    while (on - above > 0.2) (isOnSolid(x, (above + on) / 2) ? on : above) = (above + on) / 2;
+    return {x, on};
+  }
+  void tap(Vec2<platform::CanvasSpace> at, platform::Device device = {}) {
+    pointer(platform::PointerKind::Down, at.x, at.y, device);
+    pointer(platform::PointerKind::Up, at.x, at.y, device);
+    settle();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a tap on the solid makes a bulge, its knob is dragged, each is one step: mouse, finger, pen") {
+  for (const platform::Device device : kDevices) {
+    CAPTURE(static_cast<int>(device));
+    Pulls page;
+    const double steps = page.undoSteps();
+    page.tap(page.middle(), device);
+    REQUIRE(page.pulls().size() == 1);
+    CHECK(page.undoSteps() == steps + 1);
+    CHECK(page.chosen() == 0);
+    CHECK(*page.pulls()[0].number("points") == 1);
+    const double height = *page.pulls()[0].number("height");
+    CHECK(height > 5);
+    // Seen end on, upwards is out.
+    const auto at = page.knob(0);
+    page.drag(at, {at.x, at.y - 40}, device);
+    CHECK(page.undoSteps() == steps + 2);
+    CHECK(*page.pulls()[0].number("height") > height + 20);
+    CHECK(page.works("undo"));
+    CHECK(*page.pulls()[0].number("height") == height);
+    CHECK(page.works("undo"));
+    CHECK(page.pulls().empty());
+  }
+}
+
+TEST_CASE("a line on the solid is pulled as a whole, and a gesture that is given up leaves nothing") {
+  Pulls page;
+  const auto at = page.middle();
+  page.drag({at.x - 60, at.y}, {at.x + 60, at.y});
+  REQUIRE(page.pulls().size() == 1);
+  CHECK(*page.pulls()[0].number("points") > 5);
+  CHECK(page.works("undo"));
+  page.pointer(platform::PointerKind::Down, at.x, at.y);
+  page.pointer(platform::PointerKind::Move, at.x + 50, at.y);
+  page.key("Escape", "Escape");
+  page.pointer(platform::PointerKind::Up, at.x + 50, at.y);
+  page.settle();
+  CHECK(page.pulls().empty());
+}
+
+TEST_CASE("beside the solid a drag turns the view, and makes no pull") {
+  Pulls page;
+  const auto at = page.middle();
+  const double yaw = *page.state().find("camera")->number("yaw");
+  page.drag({at.x - 180, at.y + 200}, {at.x - 120, at.y + 200});
+  CHECK(page.pulls().empty());
+  CHECK(*page.state().find("camera")->number("yaw") != yaw);
+}
+
+TEST_CASE("a line from the outline to the outline is the outline that is seen then, from the front and turned") {
+  for (const int turns : {0, 3}) {
+    CAPTURE(turns);
+    Pulls page;
+    for (int i = 0; i < turns; ++i) CHECK(page.works("turn-left"));
+    const auto top = page.topOfSolid();
+    // An arch over the top: its middle is 60 pixels above the solid.
+    const auto from = page.topOfSolid(-70), to = page.topOfSolid(70);
+    page.draw({{from.x, from.y - 6},
+               {top.x - 50, top.y - 40},
+               {top.x, top.y - 60},
+               {top.x + 50, top.y - 40},
+               {to.x, to.y - 6}});
+    REQUIRE(page.pulls().size() == 1);
+    CHECK(*page.pulls()[0].number("to") > 5);
+    CHECK(page.topOfSolid().y == doctest::Approx(top.y - 60).epsilon(0.01));
+    // Its knob is where it was drawn, goes further out and back in, also past where the outline was.
+    for (const auto& [key, way] : {std::pair{"ArrowUp", 1}, {"ArrowDown", -1}}) {
+      const double before = page.topOfSolid().y;
+      for (int i = 0; i < 3; ++i) page.key(key, key);
+      CHECK((page.topOfSolid().y - before) * way < -1);
+    }
+    const app::Json now = page.state();
+    CHECK((*now.find("pullKnobs")->array())[0].find("at")->array() != nullptr);
+    while (!page.pulls().empty()) CHECK(page.works("undo"));
+    CHECK(page.topOfSolid().y == doctest::Approx(top.y).epsilon(0.001));
+  }
+}
+
+TEST_CASE("a line that leaves the outline and does not come back changes nothing and says so") {
+  Pulls page;
+  const auto top = page.topOfSolid();
+  page.draw({{top.x - 40, top.y - 5}, {top.x - 20, top.y - 60}, {top.x + 10, top.y - 90}});
+  CHECK(page.pulls().empty());
+  CHECK(page.host.said("A new outline begins and ends at the old one"));
+}
+
+TEST_CASE("keys choose, raise, widen, sharpen and remove a pull") {
+  Pulls page;
+  CHECK(page.works("pull", R"({"line": [[420, 400]], "height": 20, "radius": 40})"));
+  CHECK(page.works("pull", R"({"line": [[580, 400]], "height": 20, "radius": 40})"));
+  REQUIRE(page.pulls().size() == 2);
+  page.key("Period", ".");
+  CHECK(page.chosen() == 0);
+  page.key("Period", ".");
+  CHECK(page.chosen() == 1);
+  const double steps = page.undoSteps();
+  page.key("ArrowUp", "ArrowUp");
+  page.key("ArrowUp", "ArrowUp");
+  CHECK(*page.pulls()[1].number("height") == doctest::Approx(28));
+  CHECK(page.undoSteps() == steps + 1);
+  page.key("BracketRight", "]");
+  CHECK(*page.pulls()[1].number("radius") == doctest::Approx(50));
+  page.key("KeyE", "e");
+  CHECK(page.pulls()[1].flag("crease") == true);
+  CHECK(page.state().find("options")->flag("pullSharp") == false);
+  page.key("Delete", "Delete");
+  REQUIRE(page.pulls().size() == 1);
+  CHECK(page.parts() == 1);
+  CHECK(page.chosen() == 0);
+  CHECK(*page.pulls()[0].number("height") == 20);
+  page.key("Delete", "Delete");
+  CHECK(page.pulls().empty());
+  CHECK(page.parts() == 1);
+  page.key("Enter", "Enter");
+  CHECK(page.pulls().size() == 1);
+}
+
+TEST_CASE("programs pull by numbers, and are told what is wrong") {
+  Pulls page;
+  CHECK(page.works("pull", R"({"line": [[400, 380], [600, 380]], "to": [[400, -380, 200], [600, -380, 200]]})"));
+  CHECK(*page.pulls()[0].number("to") == 2);
+  CHECK(page.works("set-pull", R"({"pull": 0, "radius": 30, "crease": true})"));
+  CHECK(*page.pulls()[0].number("radius") == 30);
+  CHECK(page.fault("pull", R"({"line": [[10, 10]]})") != "");  // beside the part
+  CHECK(page.fault("pull", R"({"line": "across"})") != "");
+  CHECK(page.fault("set-pull", R"({"pull": 3})") != "");
+  CHECK(page.fault("set-pull", R"({"pull": 0, "radius": -1})") != "");
+  CHECK(page.pulls().size() == 1);
+  CHECK(page.works("set-pull", R"({"pull": 0, "remove": true})"));
+  CHECK(page.pulls().empty());
+}
+
+TEST_CASE("the height of a pull is a slider for those who use no pointer, also of one that was told where to go") {
+  Pulls page;
+  CHECK(page.works("pull", R"({"line": [[400, 400]], "height": 20, "radius": 40})"));
+  CHECK(page.works("pull", R"({"line": [[600, 400]], "to": [[600, -400, 180]], "radius": 40})"));
+  const auto slider = [&](int number) {
+    const app::Json now = page.state();
+    for (const app::Json& control : *now.find("controls")->array()) {
+      if (*control.text("words") == "Height of pull " + std::to_string(number) + " of 2") return control;
+    }
+    return app::Json();
+  };
+  for (const int number : {1, 2}) {
+    CAPTURE(number);
+    const app::Json before = slider(number);
+    REQUIRE(before.find("slide") != nullptr);
+    const double now = *before.find("slide")->number("value");
+    page.app->workControl(static_cast<std::uint32_t>(*before.number("id")), now + 2);
+    page.settle();
+    CHECK(*slider(number).find("slide")->number("value") == doctest::Approx(now + 2).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a pull that would go through the part stops, is kept as far as it went, and says so") {
+  Pulls page;
+  CHECK(page.works("pull", R"({"line": [[500, 400]], "height": -900, "radius": 60})"));
+  const double kept = *page.pulls()[0].number("height");
+  CHECK(kept < 0);
+  CHECK(kept > -900);
+  CHECK(*page.pulls()[0].number("share") == 1);
+  CHECK(page.host.said("Any further, and it would go through itself"));
+}
+
+TEST_CASE("the twin of a part with symmetry is pulled as the part itself") {
+  Pulls page;
+  CHECK(page.works("symmetry", R"({"axis": "x"})"));
+  CHECK(page.works("home-view"));
+  CHECK(page.works("pull"));
+  const app::UiState& ui = page.app->ui();
+  int made = 0;
+  // Along the middle of the view there are both of them.
+  for (const double share : {0.3, 0.4, 0.6, 0.7}) {
+    page.tap({ui.layout.solid.x + share * ui.layout.solid.width, page.middle().y});
+    made = static_cast<int>(page.pulls().size());
+  }
+  CHECK(made >= 2);
+  for (const app::Json& pull : page.pulls()) CHECK(*pull.number("points") == 1);
+}

@@ -1,0 +1,307 @@
+// Commands about pulls: their tool, lines on a part, and the pull that is chosen.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "web/commands/command_actions.h"
+#include "web/commands/command_args.h"
+#include "web/commands/command_groups.h"
+#include "web/commands/intents.h"
+#include "web/commands/modes.h"
+#include "web/edit/picker.h"
+#include "web/edit/pulling.h"
+#include "web/edit/redrawn_outline.h"
+#include "web/model/messages.h"
+#include "web/words/words.h"
+
+namespace spineloft::app {
+namespace {
+
+using Env = const CommandEnv&;
+using Pulls = std::vector<pull::Pull>;
+
+constexpr double kWider = 1.25;                  // of the radius, a step
+constexpr double kStep = 0.1, kFineStep = 0.02;  // of the radius: of the height, a step
+constexpr double kLeastStep = 0.25;              // picture pixels
+
+bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
+bool pullTool(Env env) { return env.ui.tool == ToolKind::Pull; }
+/// The part in hand has pulls. Asked in every frame: without memory.
+const document::Part* pulledInHand(Env env) {
+  const document::Part* part = pullTool(env) ? document::findPart(env.studio.document(), env.ui.selection) : nullptr;
+  return part && !part->pulls.empty() ? part : nullptr;
+}
+bool hasPulls(Env env) { return pulledInHand(env) != nullptr; }
+/// The chosen pull; −1: none.
+int chosenPull(Env env) {
+  const document::Part* part = pulledInHand(env);
+  const int count = part ? static_cast<int>(part->pulls.size()) : 0;
+  return env.ui.chosen.pull < count ? env.ui.chosen.pull : -1;
+}
+bool pullIsChosen(Env env) { return chosenPull(env) >= 0; }
+/// Of the chosen pull, else of the next one.
+bool isSharp(Env env) {
+  const int number = chosenPull(env);
+  return number >= 0 ? pulledInHand(env)->pulls[static_cast<std::size_t>(number)].crease : env.ui.edit.pullSharp;
+}
+
+Outcome usePull(Env env) {
+  env.ui.tool = ToolKind::Pull;
+  env.ui.redraw = env.ui.pointsOf = {};
+  env.ui.focus = Focus::Solid;
+  const document::Document& document = env.studio.document();
+  if (!document::findPart(document, env.ui.selection)) env.ui.selection = document.parts.back()->id;
+  env.ui.alsoSelected.clear();
+  sendStatus(env.host, "Tap the solid, or draw a line on it: it bulges there. Drag the knob out or in.");
+  return {};
+}
+
+/// `changed`: the one that is new or another; it stops where the part would go through itself.
+Outcome keepPulls(Env env, const document::Part& part, Pulls pulls, std::optional<std::size_t> changed,
+                  std::string_view burst = {}) {
+  pipeline::PartShape made;
+  bool stopped = false;
+  if (changed && env.studio.preview(part.recipe, pulls, made) && *changed < made.pulled.size()) {
+    const double share = made.pulled[*changed].share;
+    stopped = share < 1;
+    if (stopped) pulls[*changed] = shortened(pulls[*changed], share);
+  }
+  const document::Action action = document::SetPulls{part.id, std::move(pulls)};
+  const Outcome kept = outcomeOf(env.studio.act({&action, 1}, burst));
+  if (kept && stopped) sendStatus(env.host, words::tr("Any further, and it would go through itself"));
+  return kept;
+}
+
+/// What the chosen pull is changed to, as one step with those like it.
+template <class Change>
+Outcome changeChosen(Env env, std::string_view what, const Change& change) {
+  const document::Part& part = *pulledInHand(env);
+  const int number = chosenPull(env);
+  Pulls pulls = part.pulls;
+  change(pulls[static_cast<std::size_t>(number)]);
+  const std::string burst = std::string(what) + " " + std::to_string(part.id.value) + " " + std::to_string(number);
+  return keepPulls(env, part, std::move(pulls), static_cast<std::size_t>(number), burst);
+}
+
+Outcome raise(Env env, const Json& args, double way) {
+  const PulledPart shown = pulledPart(env.studio.document(), env.studio.derived(), env.ui);
+  const auto number = static_cast<std::size_t>(chosenPull(env));
+  if (!shown || number >= shown.pulls.size()) return noPart();
+  const double share = args.flag("far").value_or(false) ? kFineStep : kStep;
+  const double by = way * std::max(kLeastStep, share * shown.pulls[number].radius);
+  const pipeline::PulledLine line = shown.shape->pulled[number];
+  return changeChosen(env, "raise", [&](pull::Pull& pull) { pull = raised(pull, line, by); });
+}
+Outcome out(Env env, const Json& args) { return raise(env, args, 1); }
+Outcome in(Env env, const Json& args) { return raise(env, args, -1); }
+
+/// The width of the chosen pull, or that of the next one.
+Outcome widen(Env env, double factor) {
+  double& next = env.ui.edit.pullReach;
+  if (!pullIsChosen(env)) {
+    next = std::clamp(next * factor, kLeastPullReach, kMostPullReach);
+    sendStatus(env.host, words::tr("The next pull reaches {n} % of the part.", {{"n", std::round(100 * next)}}));
+    return {};
+  }
+  return changeChosen(env, "widen", [&](pull::Pull& pull) {
+    pull.radius = std::clamp(pull.radius * factor, pull::kLeastRadius, pull::kMostRadius);
+  });
+}
+Outcome wider(Env env, const Json&) { return widen(env, kWider); }
+Outcome narrower(Env env, const Json&) { return widen(env, 1 / kWider); }
+
+Outcome sharp(Env env, const Json& args) {
+  const bool on = args.flag("on").value_or(!isSharp(env));
+  if (!pullIsChosen(env)) {
+    env.ui.edit.pullSharp = on;
+    return {};
+  }
+  return changeChosen(env, "sharp", [&](pull::Pull& pull) { pull.crease = on; });
+}
+
+Outcome step(Env env, int by) {
+  const int count = static_cast<int>(pulledInHand(env)->pulls.size());
+  const int before = chosenPull(env) < 0 ? (by > 0 ? -1 : 0) : chosenPull(env);
+  env.ui.chosen = {};
+  env.ui.chosen.pull = (before + by + count) % count;
+  sendStatus(env.host, words::tr("Pull {n} of {all}", {{"n", env.ui.chosen.pull + 1}, {"all", count}}));
+  return {};
+}
+Outcome next(Env env, const Json&) { return step(env, 1); }
+Outcome previous(Env env, const Json&) { return step(env, -1); }
+
+/// The one before is chosen then.
+Outcome remove(Env env, const Json&) {
+  const document::Part& part = *pulledInHand(env);
+  const int number = chosenPull(env);
+  Pulls pulls = part.pulls;
+  pulls.erase(pulls.begin() + number);
+  env.ui.chosen.pull = std::min(std::max(0, number - 1), static_cast<int>(pulls.size()) - 1);
+  return keepPulls(env, part, std::move(pulls), std::nullopt);
+}
+
+/// In the middle of the solid view, for those who use no pointer.
+Outcome here(Env env, const Json&) {
+  const PulledPart part = pulledPart(env.studio.document(), env.studio.derived(), env.ui);
+  const Rect& view = env.ui.layout.solid;
+  const Ray ray{env.ui.camera.eye(), rayThrough(env.ui.camera, view, view.centre())};
+  const auto place = part ? surfaceUnder(part, ray) : std::nullopt;
+  if (place) return drawPull(env, env.ui.selection, {*place});
+  return Refusal{"NotNow", "The part is not in the middle of the view: turn or move it there."};
+}
+
+// ---- what programs say ------------------------------------------------------------------------------------------
+
+/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the front of the part, `back`: onto
+/// its back. None: it is no such list, or a place is beside the part.
+std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const Json& list, bool back) {
+  constexpr double kFar = 1e7;
+  if (list.array() == nullptr || list.array()->empty()) return std::nullopt;
+  std::vector<ModelPoint> places;
+  for (const Json& place : *list.array()) {
+    const Json::Array* numbers = place.array();
+    if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3) return std::nullopt;
+    std::array<double, 3> at{};
+    for (std::size_t i = 0; i < numbers->size(); ++i) at[i] = (*numbers)[i].number().value_or(NAN);
+    if (numbers->size() == 3) {
+      places.push_back({at[0], at[1], at[2]});
+      continue;
+    }
+    const double way = back ? 1 : -1;
+    const ModelPoint eye{at[0], -at[1], -way * kFar};
+    const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
+    if (!std::isfinite(far)) return std::nullopt;
+    places.push_back(eye + ModelPoint{0, 0, way * far});
+  }
+  return places;
+}
+
+Outcome missingLine(std::string_view what) {
+  return missing(std::string(what) + ": places [x, y] of the picture on the part, or [x, y, z]");
+}
+
+/// The numbers of a pull that `args` name.
+void takeNumbers(const Json& args, pull::Pull& pull) {
+  pull.height = args.number("height").value_or(pull.height);
+  pull.radius = args.number("radius").value_or(pull.radius);
+  pull.crease = args.flag("crease").value_or(pull.crease);
+}
+
+Outcome pullRow(Env env, const Json& args) {
+  const Json* line = args.find("line");
+  if (line == nullptr) return usePull(env);
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part->id);
+  if (!shown) return Refusal{"NotNow", "The part has no shape yet: wait, or show it."};
+  const bool back = args.flag("back").value_or(false);
+  const auto places = placesFrom(shown, *line, back);
+  if (!places) return missingLine("a line");
+  pull::Pull made = usualPull(shown, env.ui.edit, *places);
+  made.line = *places;
+  if (const Json* to = args.find("to")) {
+    const auto ends = placesFrom(shown, *to, back);
+    if (!ends) return missingLine("where it goes (to)");
+    made.to = *ends;
+  }
+  takeNumbers(args, made);
+  Pulls pulls = part->pulls;
+  pulls.push_back(std::move(made));
+  return keepPulls(env, *part, std::move(pulls), part->pulls.size());
+}
+
+Outcome setRow(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  const double number = args.number("pull").value_or(-1);
+  if (!(number >= 0 && number < static_cast<double>(part->pulls.size()) && number == std::floor(number))) {
+    return missing("a pull: the number of one of the part's, from 0");
+  }
+  Pulls pulls = part->pulls;
+  const auto which = static_cast<std::size_t>(number);
+  if (args.flag("remove").value_or(false)) {
+    pulls.erase(pulls.begin() + static_cast<std::ptrdiff_t>(which));
+    return keepPulls(env, *part, std::move(pulls), std::nullopt);
+  }
+  takeNumbers(args, pulls[which]);
+  return keepPulls(env, *part, std::move(pulls), which);
+}
+
+/// One more pull, which is chosen.
+Outcome addPull(Env env, const document::Part& part, pull::Pull made) {
+  Pulls pulls = part.pulls;
+  pulls.push_back(std::move(made));
+  const std::size_t number = part.pulls.size();
+  sendStatus(env.host, "Drag the knob out or in.");
+  Outcome kept = keepPulls(env, part, std::move(pulls), number);
+  if (!kept) return kept;
+  env.ui.chosen = {};
+  env.ui.chosen.pull = static_cast<int>(number);
+  return kept;
+}
+
+constexpr Argument kLine{"line"}, kPull{"pull"};
+constexpr Condition kHasParts{hasParts}, kHasPulls{hasPulls}, kChosen{pullIsChosen}, kTool{pullTool};
+
+// clang-format off
+constexpr std::array kTable = {
+    Command{.id = "pull", .label = "Pull", .icon = "mountain", .shortcut = "Shift+P", .group = "tool", .argument = kLine,
+            .hint = "Tap the solid or draw a line on it, and pull it out or push it in", .enabled = kHasParts,
+            .toggled = pullTool, .run = pullRow},
+    Command{.id = "pull-out", .label = "Further out", .icon = "chevron-up", .shortcut = "ArrowUp, Shift+ArrowUp",
+            .group = "part", .hint = "The chosen pull goes further out", .enabled = kChosen, .run = out,
+            .mode = &kPullMode},
+    Command{.id = "pull-in", .label = "Further in", .icon = "chevron-down", .shortcut = "ArrowDown, Shift+ArrowDown",
+            .group = "part", .hint = "The chosen pull goes further in", .enabled = kChosen, .run = in,
+            .mode = &kPullMode},
+    Command{.id = "pull-narrower", .label = "Narrower", .icon = "fold-vertical", .shortcut = "[", .group = "part",
+            .hint = "Less of the surface follows the pull", .enabled = kTool, .run = narrower, .mode = &kPullToolMode},
+    Command{.id = "pull-wider", .label = "Wider", .icon = "unfold-vertical", .shortcut = "]", .group = "part",
+            .hint = "More of the surface follows the pull", .enabled = kTool, .run = wider, .mode = &kPullToolMode},
+    Command{.id = "pull-sharp", .label = "Sharp edge", .icon = "chart-line", .shortcut = "E", .group = "part",
+            .hint = "An edge along the line, or a smooth bulge", .enabled = kTool, .toggled = isSharp, .run = sharp,
+            .mode = &kPullToolMode},
+    Command{.id = "pull-here", .label = "Pull in the middle", .icon = "mountain", .shortcut = "Enter", .group = "part",
+            .hint = "A pull in the middle of the solid view", .enabled = kTool, .run = here, .mode = &kPullToolMode},
+    Command{.id = "pull-next", .label = "Next pull", .icon = "chevron-right", .shortcut = ".", .group = "part",
+            .hint = "Choose the next pull of the part", .enabled = kHasPulls, .run = next, .mode = &kPullToolMode},
+    Command{.id = "pull-previous", .label = "Pull before", .icon = "chevron-left", .shortcut = ",", .group = "part",
+            .hint = "Choose the pull before", .enabled = kHasPulls, .run = previous, .mode = &kPullToolMode},
+    Command{.id = "pull-remove", .label = "Remove pull", .icon = "trash-2", .shortcut = "Delete, Backspace",
+            .group = "part", .hint = "Takes the chosen pull away", .enabled = kChosen, .run = remove,
+            .mode = &kPullMode},
+    Command{.id = "set-pull", .label = "Pull by numbers", .icon = "mountain", .group = "part", .argument = kPull,
+            .hint = "Height, radius and edge of a pull", .enabled = kHasParts, .run = setRow},
+};
+// clang-format on
+
+}  // namespace
+
+Outcome drawPull(Env env, PartId part, const std::vector<ModelPoint>& line) {
+  const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part);
+  if (!shown || line.empty()) return noPart();
+  return addPull(env, *shown.part, usualPull(shown, env.ui.edit, line));
+}
+
+Outcome redrawSeenOutline(Env env, PartId part, const std::vector<ClientPoint>& stroke, double reach) {
+  const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part);
+  if (!shown) return noPart();
+  const auto made = redrawnOutline(shown, env.ui, stroke, reach);
+  if (made) return addPull(env, *shown.part, *made);
+  return Refusal{"NotNow", "A new outline begins and ends at the old one. To turn the solid, drag farther from it."};
+}
+
+Outcome setPull(Env env, PartId id, std::size_t number, const pull::Pull& pull) {
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  if (part == nullptr || number >= part->pulls.size()) return noPart();
+  Pulls pulls = part->pulls;
+  pulls[number] = pull;
+  return keepPulls(env, *part, std::move(pulls), number);
+}
+
+std::span<const Command> pullCommands() { return kTable; }
+
+constinit const Mode kPullMode{"pull", pullIsChosen};
+constinit const Mode kPullToolMode{"pulls", pullTool};
+
+}  // namespace spineloft::app
