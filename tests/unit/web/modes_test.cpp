@@ -39,6 +39,7 @@ struct Desk {
     run("draw-puff", R"({"contours":[[[40,40],[90,45],[80,120],[35,100]]]})");
     run("puff-slice", R"({"slice":"round"})");
     run("draw-shape", R"({"kind":"ball","axis":[[150,80],[150,40]]})");
+    run("pull", R"({"line":[[150,60]]})");
     run("draw-line", R"({"points":[[20,130],[80,130],[80,180],[20,180]],"closed":true})");
     run("draw-line", R"({"points":[[60,140],[120,140],[120,170],[60,170]],"closed":true})");
     run("rename-model", R"({"name":"A swan"})");
@@ -77,7 +78,7 @@ struct Desk {
     ui.selection = chance() ? PartId{} : anyPart(rng);
     ui.focus = chance() ? app::Focus::Solid : app::Focus::Picture;
     using enum app::ToolKind;
-    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines}[rng.below(9)];
+    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines, Pull}[rng.below(10)];
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;
@@ -85,6 +86,7 @@ struct Desk {
     if (rng.below(2) == 0) ui.chosen.outline = app::OutlinePoint{};
     if (rng.below(2) == 0) ui.chosen.shape = 0;
     if (rng.below(2) == 0) ui.chosen.bridge = 0;
+    if (rng.below(2) == 0) ui.chosen.pull = 0;
     studio.cancelWork();
     studio.pump();
     vision::CutHints hints;
