@@ -46,8 +46,16 @@ test('a line on the solid bulges and its knob goes further out, by mouse, finger
   onPage(kit, kDesk, async (page) => {
     await egg(page);
     for (const [index, device] of ['mouse', 'finger', 'pen'].entries()) {
+      // Bars are as large as the pointer in use wants them: it turns the solid first.
+      const middle = await onSolid(page, [500, 400]);
+      await strokeAlong(
+        page,
+        device,
+        along({ x: middle.x - 240, y: middle.y + 150 }, { x: middle.x - 200, y: middle.y + 150 }),
+      );
+      await run(page, 'home-view');
       const { undo } = await state(page);
-      const [from, to] = [await onSolid(page, [430, 300 + 90 * index]), await onSolid(page, [570, 300 + 90 * index])];
+      const [from, to] = [await onSolid(page, [430, 260 + 120 * index]), await onSolid(page, [570, 260 + 120 * index])];
       await strokeAlong(page, device, along(from, to));
       let pulls = await pullsOf(page);
       assert.equal(pulls.length, index + 1, device);
