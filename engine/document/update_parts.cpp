@@ -36,11 +36,22 @@ std::vector<PicturePoint> placesOf(const Recipe& recipe) {
   if (const Region* region = regionOf(recipe)) {
     for (const auto& contour : region->contours) places.insert(places.end(), contour.begin(), contour.end());
   }
+  if (const auto* lathe = std::get_if<LatheRecipe>(&recipe)) {
+    places.push_back(lathe->lathe.axisFrom);
+    places.push_back(lathe->lathe.axisTo);
+  }
   return places;
 }
 
-// None: it was not moved, or not as a whole.
-std::optional<PicturePoint> shiftOf(const Recipe& before, const Recipe& after) {
+// How far in front of the picture it lies, picture pixels.
+double nearnessOf(const Document& document, const Recipe& recipe) {
+  const auto* flat = std::get_if<ExtrudeRecipe>(&recipe);
+  const PictureEntry* entry = flat ? findPicture(document, flat->region.picture) : nullptr;
+  return entry ? flat->extrude.depth * std::max(entry->size.width, entry->size.height) : 0;
+}
+
+// ModelSpace. None: it was not moved, or not as a whole.
+std::optional<ModelPoint> shiftOf(const Document& document, const Recipe& before, const Recipe& after) {
   constexpr double kAlike = 1e-6;  // picture pixels
   const std::vector<PicturePoint> from = placesOf(before), to = placesOf(after);
   if (from.empty() || from.size() != to.size()) return std::nullopt;
@@ -48,7 +59,8 @@ std::optional<PicturePoint> shiftOf(const Recipe& before, const Recipe& after) {
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (distance(to[i] - from[i], by) > kAlike) return std::nullopt;
   }
-  return norm(by) > kAlike ? std::optional(by) : std::nullopt;
+  const ModelPoint shift{by.x, -by.y, nearnessOf(document, after) - nearnessOf(document, before)};
+  return norm(shift) > kAlike ? std::optional(shift) : std::nullopt;
 }
 
 }  // namespace
@@ -57,12 +69,12 @@ void carryPulls(const Document& before, Document& after) {
   for (Box<Part>& box : after.parts) {
     const Part* was = box->pulls.empty() ? nullptr : findPart(before, box->id);
     if (was == nullptr || was->recipe == box->recipe || was->pulls != box->pulls) continue;
-    const auto by = shiftOf(was->recipe, box->recipe);
+    const auto by = shiftOf(after, was->recipe, box->recipe);
     if (!by) continue;
     Part part = box;
     for (pull::Pull& pull : part.pulls) {
       for (auto* line : {&pull.line, &pull.to}) {
-        for (ModelPoint& p : *line) p += {by->x, -by->y, 0};
+        for (ModelPoint& p : *line) p += *by;
       }
     }
     box = std::move(part);

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "engine/base/hash.h"
 #include "engine/pipeline/cache.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_shape.h"
@@ -22,6 +23,12 @@ PulledLine lineOf(const pull::Reach& reach, const mesh::TriMesh& mesh, double sh
   for (const std::uint32_t vertex : reach.line) line.points.push_back(vertexOf(mesh, vertex));
   line.out = reach.out;
   return line;
+}
+
+// Of the shape after a pull, of which a part of the way may have been kept.
+ShapeKey keyOf(ShapeKey before, const pull::Pull& pull, double share) {
+  const ShapeKey key = pulledKey(before, pull);
+  return share == 1 ? key : ShapeKey{Hasher().text("share").number(key.hash).number(share).value()};
 }
 
 Result<std::shared_ptr<const pull::Reach>> knownReach(const mesh::TriMesh& mesh, const pull::Pull& pull,
@@ -53,7 +60,7 @@ Status pullStage(std::span<const pull::Pull> pulls, ShapeKey before, TraceQualit
       }
       lines.push_back(lineOf(*reach.value(), pulled, share));
       std::swap(mesh, pulled);
-      if (before) before = pulledKey(before, pull);
+      if (before) before = keyOf(before, pull, share);
     }
     shape.mesh = std::move(mesh);
     shape.pulled = std::move(lines);

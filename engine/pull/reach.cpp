@@ -221,7 +221,7 @@ void Reacher::refine(double edge) {
 // Of what lies within the radius, what the surface leads to on a way that is not much longer: the other side of a thin
 // piece is left out.
 void Reacher::closeDetours() {
-  const double coarse = radius_ / 3;
+  const double coarse = std::max(radius_ / 3, kLongest * edge_);
   refine(coarse);
   std::vector<std::uint32_t> sources;
   for (const std::uint32_t t : near_) {

@@ -22,6 +22,7 @@ using Pulls = std::vector<pull::Pull>;
 
 constexpr double kWider = 1.25;                  // of the radius, a step
 constexpr double kStep = 0.1, kFineStep = 0.02;  // of the radius: of the height, a step
+constexpr double kFinest = 0.03;                 // of the way that was asked for, where not all of it can be gone
 constexpr double kLeastStep = 0.25;              // picture pixels
 
 bool hasParts(Env env) { return !env.studio.document().parts.empty(); }
@@ -56,19 +57,51 @@ Outcome usePull(Env env) {
   return {};
 }
 
-/// `changed`: the one that is new or another; it stops where the part would go through itself.
-Outcome keepPulls(Env env, const document::Part& part, Pulls pulls, std::optional<std::size_t> changed,
-                  std::string_view burst = {}) {
+/// Whether the part with these pulls, of which this one is new or another, does not go through itself there. True as
+/// well while the part has no shape of its own yet: that is looked at when it has.
+bool goesAllTheWay(Env env, const document::Part& part, const Pulls& pulls, std::size_t changed) {
+  const auto& parts = env.studio.derived().parts;
+  const auto now = std::ranges::find(parts, part.id, &pipeline::DerivedPart::id);
   pipeline::PartShape made;
-  bool stopped = false;
-  if (changed && env.studio.preview(part.recipe, pulls, made) && *changed < made.pulled.size()) {
-    const double share = made.pulled[*changed].share;
-    stopped = share < 1;
-    if (stopped) pulls[*changed] = shortened(pulls[*changed], share);
+  if (now == parts.end() || !now->shape || now->waiting || !env.studio.preview(part.recipe, pulls, made)) return true;
+  return changed >= made.pulled.size() || made.pulled[changed].share == 1;
+}
+
+/// Where a new pull starts from.
+pull::Pull unmoved(pull::Pull pull) {
+  pull.height = 0;
+  if (pull.to.size() == pull.line.size()) pull.to = pull.line;
+  return pull;
+}
+
+Refusal noFurther() { return {"NotNow", std::string(words::tr("Any further, and it would go through itself"))}; }
+
+/// `changed`: the one that is new or another, as far on from what it was as the part does not go through itself. Says
+/// so, else `hint`.
+Outcome keepPulls(Env env, const document::Part& part, Pulls pulls, std::size_t changed, std::string_view hint = {},
+                  std::string_view burst = {}) {
+  const bool isNew = changed >= part.pulls.size();
+  const pull::Pull asked = pulls[changed], from = isNew ? unmoved(asked) : part.pulls[changed];
+  const bool whole = goesAllTheWay(env, part, pulls, changed);
+  if (!whole) {
+    double low = 0, high = 1;
+    while (high - low > kFinest) {
+      const auto tried = between(from, asked, (low + high) / 2);
+      if (!tried) return noFurther();
+      pulls[changed] = *tried;
+      (goesAllTheWay(env, part, pulls, changed) ? low : high) = (low + high) / 2;
+    }
+    if (low == 0) return noFurther();
+    pulls[changed] = *between(from, asked, low);
   }
   const document::Action action = document::SetPulls{part.id, std::move(pulls)};
   const Outcome kept = outcomeOf(env.studio.act({&action, 1}, burst));
-  if (kept && stopped) sendStatus(env.host, words::tr("Any further, and it would go through itself"));
+  if (!kept) return kept;
+  if (!whole) {
+    sendStatus(env.host, words::tr("Any further, and it would go through itself"));
+  } else if (!hint.empty()) {
+    sendStatus(env.host, hint);
+  }
   return kept;
 }
 
@@ -80,7 +113,7 @@ Outcome changeChosen(Env env, std::string_view what, const Change& change) {
   Pulls pulls = part.pulls;
   change(pulls[static_cast<std::size_t>(number)]);
   const std::string burst = std::string(what) + " " + std::to_string(part.id.value) + " " + std::to_string(number);
-  return keepPulls(env, part, std::move(pulls), static_cast<std::size_t>(number), burst);
+  return keepPulls(env, part, std::move(pulls), static_cast<std::size_t>(number), {}, burst);
 }
 
 Outcome raise(Env env, const Json& args, double way) {
@@ -137,7 +170,7 @@ Outcome remove(Env env, const Json&) {
   Pulls pulls = part.pulls;
   pulls.erase(pulls.begin() + number);
   env.ui.chosen.pull = std::min(std::max(0, number - 1), static_cast<int>(pulls.size()) - 1);
-  return keepPulls(env, part, std::move(pulls), std::nullopt);
+  return outcomeOf(env.studio.act(document::SetPulls{part.id, std::move(pulls)}));
 }
 
 /// In the middle of the solid view, for those who use no pointer.
@@ -221,7 +254,7 @@ Outcome setRow(Env env, const Json& args) {
   const auto which = static_cast<std::size_t>(number);
   if (args.flag("remove").value_or(false)) {
     pulls.erase(pulls.begin() + static_cast<std::ptrdiff_t>(which));
-    return keepPulls(env, *part, std::move(pulls), std::nullopt);
+    return outcomeOf(env.studio.act(document::SetPulls{part->id, std::move(pulls)}));
   }
   takeNumbers(args, pulls[which]);
   return keepPulls(env, *part, std::move(pulls), which);
@@ -232,8 +265,7 @@ Outcome addPull(Env env, const document::Part& part, pull::Pull made) {
   Pulls pulls = part.pulls;
   pulls.push_back(std::move(made));
   const std::size_t number = part.pulls.size();
-  sendStatus(env.host, "Drag the knob out or in.");
-  Outcome kept = keepPulls(env, part, std::move(pulls), number);
+  Outcome kept = keepPulls(env, part, std::move(pulls), number, words::tr("Drag the knob out or in."));
   if (!kept) return kept;
   env.ui.chosen = {};
   env.ui.chosen.pull = static_cast<int>(number);

@@ -120,11 +120,13 @@ pull::Pull raised(const pull::Pull& pull, const pipeline::PulledLine& shown, dou
   return moved;
 }
 
-pull::Pull shortened(const pull::Pull& pull, double share) {
-  pull::Pull out = pull;
-  out.height = pull.height * share;
-  if (pull.to.size() != pull.line.size()) return out;
-  for (std::size_t i = 0; i < out.to.size(); ++i) out.to[i] = lerp(pull.line[i], pull.to[i], share);
+std::optional<pull::Pull> between(const pull::Pull& from, const pull::Pull& to, double share) {
+  pull::Pull out = to;
+  out.height = from.height;
+  out.to = from.to;
+  if (!(out == from) || from.to.size() != to.to.size()) return std::nullopt;
+  out.height = std::lerp(from.height, to.height, share);
+  for (std::size_t i = 0; i < out.to.size(); ++i) out.to[i] = lerp(from.to[i], to.to[i], share);
   return out;
 }
 

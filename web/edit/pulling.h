@@ -51,7 +51,8 @@ pull::Pull usualPull(const PulledPart& part, const EditOptions& options, const s
 double heightOf(const pull::Pull& pull, const pipeline::PulledLine& shown);
 /// With another height: of one with a line to go to all of that is moved on.
 pull::Pull raised(const pull::Pull& pull, const pipeline::PulledLine& shown, double by);
-/// As far as `share` of its way.
-pull::Pull shortened(const pull::Pull& pull, double share);
+/// Between two that differ in nothing but where they go: `share` of the way from one to the other. None: they differ in
+/// more.
+std::optional<pull::Pull> between(const pull::Pull& from, const pull::Pull& to, double share);
 
 }  // namespace spineloft::app

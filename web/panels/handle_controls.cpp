@@ -111,7 +111,8 @@ void pulls(const PanelEnv& env) {
                             knob ? ImVec2{static_cast<float>(knob->at.x), static_cast<float>(knob->at.y)} : ImVec2{}};
     const pipeline::PulledLine& line = part.shape->pulled[i];
     const double now = app::heightOf(part.pulls[i], line) * mm;
-    const auto asked = pointSlider(env, what, {-side * mm / 2, side * mm / 2, now, numberText("{n} mm", now, 1)});
+    const double most = std::max(side * mm / 2, std::abs(now));
+    const auto asked = pointSlider(env, what, {-most, most, now, numberText("{n} mm", now, 1)});
     if (!asked) continue;
     const pull::Pull changed = app::raised(part.pulls[i], line, (*asked - now) / mm);
     env.sink.run(app::setPull, part.part->id, i, changed);

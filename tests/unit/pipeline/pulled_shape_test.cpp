@@ -62,6 +62,26 @@ TEST_CASE("a part that is moved as a whole in its picture takes its pulls along,
   CHECK(update(moved, SetShape{PartId{1}, shape}).value().parts[0]->pulls == moved.parts[0]->pulls);
 }
 
+TEST_CASE("a flat piece that comes nearer takes its pulls along, a profile that leaves its axis does not") {
+  const Document paper = update({}, AddSketch{"Paper", {200, 150}}).value();
+  const std::vector<PicturePoint> square{{100, 40}, {160, 40}, {160, 110}, {100, 110}};
+  const Region region{PictureId{1}, {square}};
+  const pull::Pull dent{{{130, -75, 5}}, 5, {}, 12, false};
+  const auto pullsAfter = [&](const RegionSolid& solid, const Action& action) {
+    const Document drawn = update(paper, DrawRegion{region, solid}).value();
+    return update(update(drawn, SetPulls{PartId{1}, {dent}}).value(), action).value().parts[0]->pulls.at(0).line.at(0);
+  };
+  extrude::ExtrudeParams nearer;
+  nearer.depth = 0.1;
+  CHECK(pullsAfter(extrude::ExtrudeParams{}, ShapeRegion{PartId{1}, nearer}) == ModelPoint{130, -75, 25});
+  lathe::LatheParams turned;
+  turned.axisFrom = {80, 20};
+  turned.axisTo = {80, 130};
+  std::vector<PicturePoint> farther = square;
+  for (PicturePoint& p : farther) p.x += 20;
+  CHECK(pullsAfter(turned, RedrawRegion{PartId{1}, {PictureId{1}, {farther}}}) == ModelPoint{130, -75, 5});
+}
+
 TEST_CASE("the key of a shape follows every member of its pulls and their order") {
   const Document plain = puffDocument(), document = pulled(plain, {kNose, kBrow});
   const ShapeKey key = keyOf(document);
@@ -100,6 +120,12 @@ TEST_CASE("what is kept of pulls changes nothing: a mesh made anew is the same")
   pull::Pull deep = kNose;
   deep.height = -300;
   const std::vector<pull::Pull> pulls{deep};
+  // What a moving hand leaves behind does not get into what stays: the first pull stops, and another one follows it.
+  const std::vector<pull::Pull> both{deep, kBrow};
+  Cache anew;
+  REQUIRE(liveShape(document, document.parts[0]->recipe, used, {}, both).ok());
+  CHECK(previewShape(document, document.parts[0]->recipe, used, {}, both).value().mesh ==
+        previewShape(document, document.parts[0]->recipe, anew, {}, both).value().mesh);
   const auto live = liveShape(document, document.parts[0]->recipe, used, {}, pulls);
   const auto rested = previewShape(document, document.parts[0]->recipe, used, {}, pulls);
   CHECK(live.value().quality == TraceQuality::Live);

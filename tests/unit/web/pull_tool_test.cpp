@@ -243,14 +243,46 @@ TEST_CASE("the height of a pull is a slider for those who use no pointer, also o
   }
 }
 
-TEST_CASE("a pull that would go through the part stops, is kept as far as it went, and says so") {
+TEST_CASE("a pull that would go through the part goes as far as it can, and no farther by more steps") {
   Pulls page;
   CHECK(page.works("pull", R"({"line": [[500, 400]], "height": -900, "radius": 60})"));
-  const double kept = *page.pulls()[0].number("height");
-  CHECK(kept < 0);
+  const auto height = [&] { return *page.pulls()[0].number("height"); };
+  const double kept = height();
+  CHECK(kept < -60);
   CHECK(kept > -900);
   CHECK(*page.pulls()[0].number("share") == 1);
   CHECK(page.host.said("Any further, and it would go through itself"));
+  page.key("Period", ".");
+  for (int i = 0; i < 12; ++i) page.key("ArrowDown", "ArrowDown");
+  CHECK(height() <= kept);
+  CHECK(height() > 1.5 * kept);
+  CHECK(*page.pulls()[0].number("share") == 1);
+  CHECK(page.works("set-pull", R"({"pull": 0, "height": 10})"));
+  CHECK(height() == 10);
+}
+
+TEST_CASE("a new pull says what to do with it") {
+  Pulls page;
+  page.tap(page.middle());
+  CHECK(page.host.sent.size() > 1);
+  bool last = false;
+  for (const std::string& json : page.host.sent) {
+    if (json.find("Done: Pull") != std::string::npos) last = false;
+    if (json.find("Drag the knob out or in") != std::string::npos) last = true;
+  }
+  CHECK(last);
+}
+
+TEST_CASE("the outline of a piece with few corners is drawn anew from the middle of its edge") {
+  Pulls page;
+  CHECK(page.works("draw-sheet", R"({"contours": [[[200, 100], [800, 100], [800, 700], [200, 700]]]})"));
+  CHECK(page.works("home-view"));
+  CHECK(page.works("pull"));
+  const auto from = page.topOfSolid(-60), top = page.topOfSolid(), to = page.topOfSolid(60);
+  page.draw({{from.x, from.y - 6}, {top.x, top.y - 40}, {to.x, to.y - 6}});
+  const app::Json now = page.state();
+  REQUIRE(now.find("parts")->array()->back().find("pulls")->array()->size() == 1);
+  CHECK(page.topOfSolid().y < top.y - 25);
 }
 
 TEST_CASE("the twin of a part with symmetry is pulled as the part itself") {
