@@ -207,7 +207,7 @@ TEST_CASE("undo and redo in a mode that has its own steps leave those of the doc
 TEST_CASE("a key goes to the topmost open mode that has a command for it, else to the model") {
   Desk desk;
   std::set<const Mode*> took;
-  for (const std::uint64_t seed : testing::seeds(1, 600)) {
+  for (const std::uint64_t seed : testing::seeds(1, 1500)) {
     CAPTURE(seed);
     Rng rng(seed);
     desk.pile(rng);
