@@ -350,7 +350,7 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
   constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",   "bone", "sheet",        "shape", "shapes",
-                                            "lines", "spin", "layers", "hand", "ignore-edges", "fit"};
+                                            "lines", "spin", "layers", "hand", "ignore-edges", "fit",   "pull"};
   constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "shapes",   "lines",
                                             "spin", "layers",       "hand",  "ribs",     "shape",
                                             "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
@@ -363,7 +363,10 @@ void drawViewChrome(const PanelEnv& env) {
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const Ids simple = few ? Ids(kSimpleFew) : Ids(kSimple);
-  const Ids full = (few || onPaper) && empty ? Ids(kFirst) : few ? Ids(kPictureFew) : Ids(kPictureAll);
+  // In a narrow view the solid's own buttons leave no room for it.
+  const bool pullAside = few && layout.solid.width < 330;
+  const Ids changing = few ? Ids(kPictureFew).first(std::size(kPictureFew) - (pullAside ? 0 : 1)) : Ids(kPictureAll);
+  const Ids full = (few || onPaper) && empty ? Ids(kFirst) : changing;
   const Ids all = env.ui().allTools ? full : simple;
   const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
   const double taken = paper.width > 0 ? paper.right() - layout.picture.x : 0;
@@ -376,7 +379,8 @@ void drawViewChrome(const PanelEnv& env) {
       layout.stacked || env.ui().touch || layout.solid.width < 200 || app::buttonsAtSide(layout.solid);
   env.ui().solidButtons = {};
   if (env.ui().solids.hollow) return;  // its bar is in their place
-  const Ids onSolid = Ids(fewSolid ? Ids(kSolidFew) : Ids(kSolidAll)).subspan(env.ui().allTools && !empty ? 0 : 1);
+  const Ids onSolid =
+      Ids(fewSolid ? Ids(kSolidFew) : Ids(kSolidAll)).subspan(env.ui().allTools && !empty && !pullAside ? 0 : 1);
   env.ui().solidButtons =
       buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, onSolid, app::Focus::Solid});
 }
