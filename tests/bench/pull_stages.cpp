@@ -10,7 +10,7 @@ void reportPullStages(Report& report) {
   document::InflateRecipe puff;
   puff.region = {PictureId{1}, {{{150, 150}, {650, 150}, {650, 650}, {150, 650}}}};
   const pipeline::PartShape shape = must(pipeline::regionStage(puff, {800, 800}));
-  pull::Pull pull{{{300, -400, 200}, {500, -400, 200}}, 40, {}, 60, false};
+  pull::Pull pull{{{340, -400, 200}, {460, -400, 200}}, 40, {}, 60, false};
   pull::Reach reach;
   report.stage("pull, pen down", 51, [&](int) { reach = must(pull::reachOf(shape.mesh, pull)); });
   report.value("vertices that follow the pull", static_cast<double>(reach.moved.size()));
