@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/geometry/polyline.h"
+
 namespace spineloft::pull {
 namespace {
 
@@ -44,10 +46,7 @@ ModelPoint CutMesh::nearestOn(std::uint32_t triangle, ModelPoint p) const {
   if (inside) return p - normal * (dot(p - corners[0], normal) / area2);
   ModelPoint best = corners[0];
   for (std::size_t i = 0; i < 3; ++i) {
-    const ModelPoint edge = corners[(i + 1) % 3] - corners[i];
-    const double length2 = dot(edge, edge);
-    const double t01 = length2 > 0 ? std::clamp(dot(p - corners[i], edge) / length2, 0.0, 1.0) : 0;
-    const ModelPoint on = corners[i] + edge * t01;
+    const ModelPoint on = geometry::nearestOnSegment(p, corners[i], corners[(i + 1) % 3]);
     if (distance(on, p) < distance(best, p)) best = on;
   }
   return best;

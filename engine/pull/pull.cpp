@@ -57,7 +57,8 @@ void moveMesh(const Reach& reach, const Pull& pull, mesh::TriMesh& out) { moveBy
 
 double pullMesh(const Reach& reach, const Pull& pull, mesh::TriMesh& out) {
   moveMesh(reach, pull, out);
-  if (wholeWay(pull) == 0 || reach.moved.empty()) return 1;
+  if (wholeWay(pull) == 0) return 1;
+  if (reach.moved.empty()) return 0;
   if (!mesh::selfCrossing(out) || mesh::selfCrossing(reach.mesh)) return 1;
   double share = 1;
   for (int i = 0; i < kHalvings; ++i) {

@@ -204,7 +204,9 @@ TEST_CASE("lines far longer than their radius, and meshes that are not closed, g
     }
   }
   mesh::TriMesh flat = box(0, 0, 0);
-  CHECK(reached(flat, {{{1, 2, 3}}, 20, {}, 60, false}).mesh == flat);
+  const Pull nowhere{{{1, 2, 3}}, 20, {}, 60, false};
+  CHECK(pullMesh(reached(flat, nowhere), nowhere, out) == 0);
+  CHECK(out == flat);
 }
 
 TEST_CASE("a crease has an edge along its line, a smooth pull none") {
