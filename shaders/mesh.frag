@@ -50,14 +50,15 @@ void main() {
   vec3 albedo = textured > 0.5 ? mix(plain, decode(texel.rgb), texel.a) : plain;
 
   float up = 0.5 + 0.5 * n.y;
-  vec3 ambient = mix(vec3(0.30, 0.28, 0.27), vec3(0.52, 0.54, 0.58), up);
+  vec3 ambient = mix(vec3(0.25, 0.235, 0.225), vec3(0.44, 0.455, 0.49), up);
   float wrapped = max(0.0, (dot(n, key) + 0.25) / 1.25);
-  vec3 diffuse = vec3(0.62, 0.60, 0.57) * wrapped;
+  vec3 diffuse = vec3(0.76, 0.735, 0.70) * wrapped;
   float shine = pow(max(0.0, dot(n, normalize(key + v))), 42.0) * 0.16;
   float away = 1.0 - max(0.0, dot(n, v));
   float rim = away * away * away;
   // Darker towards its outline, so that white stands out before paper.
   vec3 light = albedo * (ambient + diffuse) * (1.0 - 0.4 * rim) + vec3(shine) + vec3(0.05) * rim;
+  light = mix(light, 1.0 - 0.4 * exp(1.5 - 2.5 * light), step(0.6, light));  // white keeps its shading as well
   if (finish != 0) light = ball(n, plain);
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);
   result = vec4(encode(clamp(light, 0.0, 1.0)), 1.0);

@@ -99,13 +99,19 @@ Json viewsOf(const Model& model, std::size_t number) {
   return views;
 }
 
-/// How much of its way each pull of a part could go, and where it left its line: ModelSpace.
+Json placesOf(const std::vector<ModelPoint>& points) {
+  Json places = Json::array();
+  for (const ModelPoint p : points) places.push_back({p.x, p.y, p.z});
+  return places;
+}
+
+/// How much of its way each pull of a part could go, and where its line and its ring lie then: ModelSpace.
 Json pullsOf(const Model& model, std::size_t number) {
   Json pulls = Json::array();
   for (const pipeline::PulledLine& pulled : model.shape(number).pulled) {
-    Json line = Json::array();
-    for (const ModelPoint p : pulled.points) line.push_back({p.x, p.y, p.z});
-    pulls.push_back({{"share", pulled.share}, {"line", std::move(line)}});
+    Json one{{"share", pulled.share}, {"line", placesOf(pulled.points)}};
+    if (!pulled.ring.empty()) one["ring"] = placesOf(pulled.ring);
+    pulls.push_back(std::move(one));
   }
   return pulls;
 }

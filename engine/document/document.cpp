@@ -100,7 +100,9 @@ std::size_t heldBy(const Recipe& recipe) {
 
 std::size_t bytesOf(const Part& part) {
   std::size_t pulls = bytesOf(part.pulls);
-  for (const pull::Pull& pull : part.pulls) pulls += bytesOf(pull.line) + bytesOf(pull.to);
+  for (const pull::Pull& pull : part.pulls) {
+    for (const auto* line : {&pull.line, &pull.to, &pull.ring, &pull.across, &pull.acrossTo}) pulls += bytesOf(*line);
+  }
   return sizeof(Part) + part.name.size() + part.extra.size() + pulls +
          std::visit([](const auto& recipe) { return heldBy(recipe); }, part.recipe);
 }

@@ -73,9 +73,7 @@ void carryPulls(const Document& before, Document& after) {
     if (!by) continue;
     Part part = box;
     for (pull::Pull& pull : part.pulls) {
-      for (auto* line : {&pull.line, &pull.to}) {
-        for (ModelPoint& p : *line) p += *by;
-      }
+      pull::eachPlace(pull, [&](ModelPoint& p) { p += *by; });
     }
     box = std::move(part);
   }

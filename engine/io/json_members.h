@@ -416,12 +416,15 @@ void members(V& v, T& value) {
 }
 template <class V, Is<pull::Pull> T>
 void members(V& v, T& value) {
-  auto& [line, height, to, radius, crease] = value;
+  auto& [line, height, to, radius, crease, ring, across, acrossTo] = value;
   v("line", line);
   v("height", height);
   v("to", to);
   v("radius", radius);
   v("crease", crease);
+  v("ring", ring);
+  v("across", across);
+  v("acrossTo", acrossTo);
 }
 template <class V, Is<document::Part> T>
 void members(V& v, T& value) {

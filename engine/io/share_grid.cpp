@@ -105,8 +105,7 @@ void keep(document::ShapeRecipe& recipe, const Grid& grid) {
 /// Its lines are in its drawing.
 void keep(document::ElementRecipe&, const Grid&) {}
 void keepPull(pull::Pull& pull, const Grid& grid) {
-  for (ModelPoint& p : pull.line) p = grid(p);
-  for (ModelPoint& p : pull.to) p = grid(p);
+  pull::eachPlace(pull, [&](ModelPoint& p) { p = grid(p); });
   pull.height = grid(pull.height);
   pull.radius = std::max(grid(pull.radius), pull::kLeastRadius);
 }

@@ -115,7 +115,7 @@ void Cache::keepReach(ReachKey key, std::shared_ptr<const pull::Reach> reach) {
   const mesh::TriMesh& mesh = reach->mesh;
   const auto bytes = [](const auto& vector) { return vector.size() * sizeof(vector[0]); };
   const std::size_t size = sizeof(*reach) + bytes(mesh.positions) + bytes(mesh.uv) + bytes(mesh.triangles) +
-                           bytes(reach->moved) + bytes(reach->line);
+                           bytes(reach->moved) + bytes(reach->line) + bytes(reach->ring);
   reaches_.keep(key, std::move(reach), size);
 }
 

@@ -374,11 +374,10 @@ ShapeKey unpulledKey(const document::Recipe& recipe, const document::PictureEntr
 }
 
 ReachKey reachKey(ShapeKey before, const pull::Pull& pull) {
-  const auto& [line, height, to, radius, crease] = pull;
+  const auto& [line, height, to, radius, crease, ring, across, acrossTo] = pull;
   Hasher hasher;
   hasher.text("reach").number(before.hash);
-  mix(hasher, line);
-  mix(hasher, to);
+  for (const auto* places : {&line, &to, &ring, &across, &acrossTo}) mix(hasher, *places);
   mixAll(hasher, radius, crease);
   return ReachKey{hasher.value()};
 }

@@ -26,7 +26,8 @@ std::size_t bytesOf(const std::vector<std::vector<PicturePoint>>& contours) {
 
 std::size_t bytesOf(const std::vector<PulledLine>& lines) {
   std::size_t bytes = 0;
-  for (const PulledLine& line : lines) bytes += sizeof(line) + line.points.size() * sizeof(ModelPoint);
+  for (const PulledLine& line : lines)
+    bytes += sizeof(line) + (line.points.size() + line.ring.size()) * sizeof(ModelPoint);
   return bytes;
 }
 

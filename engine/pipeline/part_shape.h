@@ -53,6 +53,7 @@ struct TracedRibs {
 /// Where a pull left its line.
 struct PulledLine {
   std::vector<ModelPoint> points;  ///< on the surface as the pull left it, from one end to the other
+  std::vector<ModelPoint> ring;    ///< on the surface, where it stays
   ModelPoint out;                  ///< unit: out of the surface in the middle of the line, before it was pulled
   double share = 1;                ///< of the way that was asked for: less where the part would go through itself
 };

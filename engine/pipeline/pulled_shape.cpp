@@ -21,6 +21,7 @@ PulledLine lineOf(const pull::Reach& reach, const mesh::TriMesh& mesh, double sh
   PulledLine line;
   line.share = share;
   for (const std::uint32_t vertex : reach.line) line.points.push_back(vertexOf(mesh, vertex));
+  line.ring = reach.ring;
   line.out = reach.out;
   return line;
 }

@@ -56,7 +56,7 @@ std::vector<Eigen::Triplet<double, int>> laplacian(const Sheet& sheet, const Wei
 
 }  // namespace
 
-bool spread(Sheet& sheet, bool crease) {
+bool spread(Sheet& sheet, Stiffness stiffness) {
   const auto count = static_cast<Eigen::Index>(sheet.points.size());
   const Weights weights = weightsOf(sheet);
   // Free vertices first, the others behind them.
@@ -87,13 +87,16 @@ bool spread(Sheet& sheet, bool crease) {
   fixedColumns.setFromTriplets(toFixed.begin(), toFixed.end());
   Sparse system;
   Eigen::MatrixXd load;
-  if (crease) {
+  if (stiffness == Stiffness::AlongLines) {
     system = freeColumns.topRows(free);
     load = -(fixedColumns.topRows(free) * fixed);
   } else {
     Eigen::VectorXd rows(count);
     // Of a rim vertex both the Laplacian and the area are those of the side that follows: nothing moves beyond.
-    for (std::size_t v = 0; v < sheet.roles.size(); ++v) rows[column[v]] = 1 / std::max(weights.areas[v], 1e-12);
+    for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
+      const bool counts = stiffness == Stiffness::Smooth || sheet.roles[v] != Role::Rim;
+      rows[column[v]] = counts ? 1 / std::max(weights.areas[v], 1e-12) : 0;
+    }
     const Sparse weighted = Sparse(freeColumns.transpose()) * rows.asDiagonal();
     system = weighted * freeColumns;
     load = -(weighted * (fixedColumns * fixed));

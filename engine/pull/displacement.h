@@ -23,8 +23,14 @@ struct Sheet {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Fills in the moves of the free vertices: the least squared Laplacian (smooth) or gradient (crease) of the
-/// displacement, with cotangents and lumped areas. False where the system has no solution in doubles.
-bool spread(Sheet& sheet, bool crease);
+enum class Stiffness : std::uint8_t {
+  Smooth,      ///< the least squared Laplacian; slope 0 at the rim
+  FreeAtRim,   ///< the same; any slope at the rim
+  AlongLines,  ///< the least gradient: an edge along what is given
+};
+
+/// Fills in the moves of the free vertices: the least energy of the displacement, with cotangents and lumped areas.
+/// False where the system has no solution in doubles.
+bool spread(Sheet& sheet, Stiffness stiffness);
 
 }  // namespace spineloft::pull

@@ -38,9 +38,16 @@ Status checkPulls(const std::vector<Pull>& pulls) {
     return {Error::ValueOutOfRange, "a part has at most " + std::to_string(kMostPulls) + " pulls"};
   }
   for (const Pull& pull : pulls) {
-    if (pull.line.empty() || !isLine(pull.line) || !isLine(pull.to)) {
+    if (pull.line.empty() || !isLine(pull.line) || !isLine(pull.to) || !isLine(pull.across) || !isLine(pull.acrossTo)) {
       return {Error::ValueOutOfRange,
               "the line of a pull has 1 … " + std::to_string(kMostLinePoints) + " finite points x, y, z"};
+    }
+    if (pull.acrossTo.empty() != (pull.across.empty() || pull.to.empty())) {
+      return {Error::ValueOutOfRange, "the line across is told where it goes if the first one is, and only then"};
+    }
+    if (!isLine(pull.ring) || pull.ring.size() == 1 || pull.ring.size() == 2) {
+      return {Error::ValueOutOfRange,
+              "the ring of a bump has 3 … " + std::to_string(kMostLinePoints) + " finite points x, y, z"};
     }
     // Written so that NaN fails too.
     if (!(pull.radius >= kLeastRadius && pull.radius <= kMostRadius)) {

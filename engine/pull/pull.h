@@ -20,6 +20,7 @@ struct Reach {
   };
   std::vector<Moved> moved;
   std::vector<std::uint32_t> line;  ///< vertices, from one end to the other
+  std::vector<ModelPoint> ring;     ///< where the ring lies; it stays there
   ModelPoint out;                   ///< unit: of the surface round the middle of the line; 0 where there is none
 };
 
@@ -27,6 +28,7 @@ struct Reach {
 /// which is 0 at the radius and as told on the line, as are its first derivatives across both (k_b d'''' = 0, eq. 5 of
 /// the paper on a surface); crease: minimises its gradient. Across a straight line on a plane the displacement is h·(1
 /// − 3t² + 2t³) and h·(1 − t), t = distance / radius. A radius that the whole mesh lies within is taken smaller.
+/// With a ring (a bump) the displacement is 0 there, and smooth over the line; crease: its slope at the ring is free.
 /// `mesh`: closed, with positions and triangles; uv is interpolated. Empty `moved`: nothing to move. Errors:
 /// OutOfMemory. Cost: that of a sparse factorisation over the vertices within the radius.
 Result<Reach> reachOf(const mesh::TriMesh& mesh, const Pull& pull);

@@ -1,10 +1,13 @@
-// reachOf: line and rim are cut into the mesh, then the vertices between follow.
+// reachOf: line and rim, the ring or what is as far as the radius, are cut into the mesh, then the vertices between
+// follow.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <numbers>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -12,7 +15,9 @@
 #include "engine/geometry/polyline.h"
 #include "engine/pull/cut_mesh.h"
 #include "engine/pull/displacement.h"
+#include "engine/pull/places.h"
 #include "engine/pull/pull.h"
+#include "engine/pull/ring.h"
 
 namespace spineloft::pull {
 namespace {
@@ -23,9 +28,13 @@ constexpr std::size_t kMostCuts = 60000;  // triangles that are added in all
 constexpr double kSnap = 0.3;             // of an edge: a vertex that is so near to a cut slides onto it,
 constexpr double kTouch = 0.05;           // and one that is so near and cannot lies on it
 constexpr double kDetour = 1.3;           // a way along edges that is that much longer leads to another side
+constexpr double kFinest = 1.0 / 6.0;     // of the edges: those at a smooth ring, where the surface begins to bend
 constexpr double kLongest = 1.4;          // of the edges that are wanted: halving leaves them shorter than it asks
 constexpr double kMostShare = 0.8;        // of the farthest vertex: a radius leaves something where it is
-constexpr std::size_t kMostSamples = 400;
+constexpr double kLeastRing = kLeastRadius / 4;
+constexpr double kThinnest = 0.005;  // of its length: a ring that is narrower has nothing within it
+constexpr double kMostSamples = 400, kRingSamples = 128;
+constexpr double kRimEdges = 1000;  // about as many has a smooth ring at most, however narrow it is
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kNoPlace = -1;
 
@@ -34,42 +43,47 @@ class Reacher {
   Reacher(const mesh::TriMesh& mesh, const Pull& pull) : pull_(pull), cut_(mesh), radius_(pull.radius) {}
 
   Reach make() {
-    layLine();
-    if (line_.empty()) return unmoved();
-    limitRadius();
-    measure();
-    closeDetours();
+    const Places places(cut_);
+    if (!pull_.ring.empty() && !layRing(places)) return unmoved();
+    if (!layLines(places)) return unmoved();
+    if (ring_) {
+      ring_->turnTo(line_.front().at);
+      addDepths();
+    } else {
+      limitRadius();
+      measure();
+      closeDetours();
+    }
     refine(kLongest * edge_);
     if (near_.empty()) return unmoved();
     findNormals();
-    cutLine();
+    cutLine(0, across_);
+    if (across_ < line_.size()) cutLine(across_, line_.size());
     cutRim();
     return follow();
   }
 
  private:
-  struct Sample {
-    ModelPoint at, face, normal;  // on the surface; unit: of the triangle there, and of what is around
-    std::uint32_t triangle = 0;
-  };
-
-  void layLine();
+  bool layLines(const Places& places);
+  bool layRing(const Places& places);
   void limitRadius();
   void measure();
   void refine(double edge);
   void closeDetours();
   void findNormals();
-  void cutLine();
+  void cutLine(std::size_t first, std::size_t end);
   void cutRim();
   Reach follow();
-  Reach unmoved() { return {cut_.take(), {}, {}, {}}; }
+  Reach unmoved() { return {cut_.take(), {}, {}, {}, {}}; }
 
   double toLine(ModelPoint p) const;
   bool isNear(std::uint32_t triangle) const;
+  double fineness(std::uint32_t triangle) const;
   std::uint32_t terminal(std::uint32_t triangle) const;
-  void addDistances();
+  double depthAt(ModelPoint p) const { return ring_ ? ring_->depth(p) : radius_ - toLine(p); }
+  void addDepths();
   void mark(std::uint32_t vertex, double place);
-  void insertEnd(const Sample& sample, double place);
+  void insertEnd(const Place& sample, double place);
   void cutSegment(std::size_t i, std::vector<std::uint32_t>& near);
   void cutEdge(std::uint32_t half, std::size_t i, ModelPoint side, std::vector<std::uint32_t>& near);
   std::vector<double> waysFrom(const std::vector<std::uint32_t>& sources) const;
@@ -78,51 +92,71 @@ class Reacher {
   const Pull& pull_;
   CutMesh cut_;
   double radius_, edge_ = 0;
-  std::vector<Sample> line_;
-  std::vector<double> places_;       // arc length of every sample
-  std::vector<double> distances_;    // of every vertex to the line
-  std::vector<double> linePlace_;    // of vertices on the line, else kNoPlace
+  std::vector<Place> line_, ringLine_;  // of the line and, behind it, of the one across
+  std::size_t across_ = 0;              // the first one of that
+  std::optional<Ring> ring_;
+  std::vector<double> places_;       // arc length of every sample; both lines make one scale
+  std::vector<double> depths_;       // of every vertex: how far within the rim it is; < 0: outside
+  std::vector<double> linePlace_;    // of vertices on a line, else kNoPlace
   std::vector<bool> open_;           // of triangles: refine may enter them
-  std::vector<bool> rim_;            // of vertices: as far as the radius
-  std::vector<std::uint32_t> near_;  // triangles within the radius
+  std::vector<bool> rim_;            // of vertices: on the rim or outside
+  std::vector<std::uint32_t> near_;  // triangles within the rim
 };
 
-void Reacher::layLine() {
-  std::vector<ModelPoint> centres;
-  std::vector<double> sizes;
-  for (std::uint32_t t = 0; t < cut_.triangles(); ++t) {
-    const std::uint32_t h = 3 * t;
-    const ModelPoint a = cut_.at(cut_.from(h)), b = cut_.at(cut_.from(h + 1)), c = cut_.at(cut_.from(h + 2));
-    const ModelPoint centre = (a + b + c) / 3;
-    centres.push_back(centre);
-    sizes.push_back(std::max({distance(a, centre), distance(b, centre), distance(c, centre)}));
+// Evenly spaced points of a line; a single one where it has no length.
+std::vector<ModelPoint> spaced(std::span<const ModelPoint> line, double step) {
+  const double length = geometry::arcLengths(line).back();
+  const double count = std::clamp(std::ceil(length / step) + 1, 2.0, kMostSamples);
+  return length > 0 ? geometry::resample(line, static_cast<std::size_t>(count)) : std::vector<ModelPoint>{line.front()};
+}
+
+// The points of a closed line, with more between them.
+std::vector<ModelPoint> finer(const std::vector<ModelPoint>& ring, double step) {
+  std::vector<ModelPoint> points;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const ModelPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    const double count = std::max(1.0, std::ceil(distance(a, b) / step));
+    for (double k = 0; k < count; ++k) points.push_back(lerp(a, b, k / count));
   }
-  const std::span<const ModelPoint> drawn(pull_.line);
-  const double length = geometry::arcLengths(drawn).back(), step = pull_.radius / kEdges;
-  const std::size_t count =
-      std::clamp(static_cast<std::size_t>(std::ceil(length / step)) + 1, std::size_t{2}, kMostSamples);
-  const std::vector<ModelPoint> points =
-      length > 0 ? geometry::resample(drawn, count) : std::vector<ModelPoint>{drawn.front()};
-  for (const ModelPoint p : points) {
-    Sample best;
-    double least = kFar;
-    for (std::uint32_t t = 0; t < cut_.triangles(); ++t) {
-      if (distance(centres[t], p) - sizes[t] >= least) continue;
-      const ModelPoint on = cut_.nearestOn(t, p);
-      if (distance(on, p) >= least || dot(cut_.areaNormal(t), cut_.areaNormal(t)) <= 0) continue;
-      least = distance(on, p);
-      best = {on, normalized(cut_.areaNormal(t)), {}, t};
-    }
-    if (least < kFar && (line_.empty() || distance(line_.back().at, best.at) > 1e-3 * step)) line_.push_back(best);
-  }
+  return points;
+}
+
+// Whether there is a surface to lay them on.
+bool Reacher::layLines(const Places& places) {
+  const double step = ring_ ? edge_ : radius_ / kEdges, apart = 1e-3 * step;
+  line_ = places.lay(spaced(pull_.line, step), apart);
+  across_ = line_.size();
+  if (!pull_.across.empty())
+    std::ranges::copy(places.lay(spaced(pull_.across, step), apart), std::back_inserter(line_));
   places_.assign(line_.size(), 0.0);
-  for (std::size_t i = 1; i < line_.size(); ++i) places_[i] = places_[i - 1] + distance(line_[i - 1].at, line_[i].at);
+  for (std::size_t i = 1; i < line_.size(); ++i)
+    places_[i] = places_[i - 1] + (i == across_ ? 1 : distance(line_[i - 1].at, line_[i].at));
+  return across_ > 0;
+}
+
+// Whether there is room within the ring.
+bool Reacher::layRing(const Places& places) {
+  std::vector<ModelPoint> closed = pull_.ring;
+  closed.push_back(closed.front());
+  const double step = geometry::arcLengths(std::span<const ModelPoint>(closed)).back() / kRingSamples;
+  if (!(step > 0)) return false;
+  ringLine_ = places.lay(finer(pull_.ring, step), 1e-3 * step);
+  if (ringLine_.size() < 3) return false;
+  std::vector<Ring::Corner> corners;
+  for (const Place& sample : ringLine_) corners.push_back({sample.at, places.meanNormal(sample.at, 1e-3 * step)});
+  ring_.emplace(corners);
+  radius_ = 2 * ring_->area() / ring_->length();  // of a circle its own
+  if (!(radius_ > kThinnest * ring_->length() && radius_ > kLeastRing)) return false;
+  edge_ = std::max(radius_ / kEdges, std::sqrt(ring_->area() / (0.43 * kMostTriangles)));
+  return true;
 }
 
 double Reacher::toLine(ModelPoint p) const {
   double least = distance(p, line_.front().at);
-  for (std::size_t i = 1; i < line_.size(); ++i)
-    least = std::min(least, geometry::distanceToSegment(p, line_[i - 1].at, line_[i].at));
+  for (std::size_t i = 1; i < line_.size(); ++i) {
+    const ModelPoint from = line_[i == across_ ? i : i - 1].at;
+    least = std::min(least, geometry::distanceToSegment(p, from, line_[i].at));
+  }
   return least;
 }
 
@@ -135,14 +169,14 @@ void Reacher::limitRadius() {
   edge_ = std::max(radius_ / kEdges, std::sqrt(area / (0.43 * kMostTriangles)));  // 0.43 of the square: even triangles
 }
 
-void Reacher::addDistances() {
-  while (distances_.size() < cut_.mesh().positions.size())
-    distances_.push_back(toLine(cut_.at(static_cast<std::uint32_t>(distances_.size()))));
+void Reacher::addDepths() {
+  while (depths_.size() < cut_.mesh().positions.size())
+    depths_.push_back(depthAt(cut_.at(static_cast<std::uint32_t>(depths_.size()))));
 }
 
 void Reacher::measure() {
   ModelPoint low = line_.front().at, high = low;
-  for (const Sample& sample : line_) {
+  for (const Place& sample : line_) {
     low = {std::min(low.x, sample.at.x), std::min(low.y, sample.at.y), std::min(low.z, sample.at.z)};
     high = {std::max(high.x, sample.at.x), std::max(high.y, sample.at.y), std::max(high.z, sample.at.z)};
   }
@@ -151,19 +185,31 @@ void Reacher::measure() {
     const ModelPoint p = cut_.at(v);
     const bool maybe = p.x > low.x - reach && p.y > low.y - reach && p.z > low.z - reach && p.x < high.x + reach &&
                        p.y < high.y + reach && p.z < high.z + reach;
-    distances_.push_back(maybe ? toLine(p) : kFar);
+    depths_.push_back(maybe ? depthAt(p) : -kFar);
   }
 }
 
-// Whether the line comes within the radius of some place of a triangle; of a small one its corners tell.
+// Whether some place of a triangle is within the rim, or close to it; of a small one its corners tell.
 bool Reacher::isNear(std::uint32_t triangle) const {
   const std::uint32_t h = 3 * triangle;
   for (std::uint32_t i = h; i < h + 3; ++i) {
-    if (distances_[cut_.from(i)] < radius_ + edge_) return true;
+    if (depths_[cut_.from(i)] > -edge_) return true;
   }
   if (cut_.length(cut_.longest(triangle)) < 3 * edge_) return false;
-  return std::ranges::any_of(
-      line_, [&](const Sample& sample) { return distance(cut_.nearestOn(triangle, sample.at), sample.at) < radius_; });
+  const double reach = ring_ ? edge_ : radius_;
+  const auto isClose = [&](const Place& sample) {
+    return distance(cut_.nearestOn(triangle, sample.at), sample.at) < reach;
+  };
+  return std::ranges::any_of(line_, isClose) || std::ranges::any_of(ringLine_, isClose);
+}
+
+// How long edges are, in shares of what is wanted: shorter towards a smooth ring.
+double Reacher::fineness(std::uint32_t triangle) const {
+  if (!ring_ || pull_.crease) return 1;
+  double least = kFar;
+  for (const std::uint32_t v : cut_.mesh().triangles[triangle]) least = std::min(least, std::abs(depths_[v]));
+  const double finest = std::clamp(ring_->length() / kRimEdges / edge_, kFinest, 1.0);
+  return std::clamp(least / (radius_ / 8), finest, 1.0);
 }
 
 // The edge that is the longest one of both its triangles, on the way over longest edges (Rivara): to split it keeps
@@ -178,7 +224,7 @@ std::uint32_t Reacher::terminal(std::uint32_t triangle) const {
   return half;
 }
 
-// Splits triangles near the line until their edges are as short as asked; near_ are those within the radius that the
+// Splits triangles near the line until their edges are as short as asked; near_ are those within the rim that the
 // surface leads to from the line over triangles that `open_` lets in.
 void Reacher::refine(double edge) {
   const std::size_t most = cut_.triangles() + kMostCuts;
@@ -191,15 +237,15 @@ void Reacher::refine(double edge) {
     seen[triangle] = true;
   };
   open_.resize(cut_.triangles(), true);
-  for (const Sample& sample : line_) add(sample.triangle);
+  for (const Place& sample : line_) add(sample.triangle);
   while (!work.empty()) {
     const std::uint32_t t = work.back();
     const bool isClose = isNear(t);
-    if (isClose && cut_.triangles() < most && cut_.length(cut_.longest(t)) > edge) {
+    if (isClose && cut_.triangles() < most && cut_.length(cut_.longest(t)) > edge * fineness(t)) {
       const std::uint32_t half = terminal(t), across = cut_.twin(half);
       const auto first = static_cast<std::uint32_t>(cut_.triangles());
       if (cut_.split(half, 0.5) != mesh::kNone) {
-        addDistances();
+        addDepths();
         open_.push_back(open_[half / 3]);
         open_.push_back(open_[across / 3]);
         for (const std::uint32_t other : {half / 3, across / 3, first, first + 1}) add(other);
@@ -227,7 +273,7 @@ void Reacher::closeDetours() {
   for (const std::uint32_t t : near_) {
     for (std::uint32_t half = 3 * t; half < 3 * t + 3; ++half) {
       const std::uint32_t v = cut_.from(half);
-      const bool faces = std::ranges::any_of(line_, [&](const Sample& sample) {
+      const bool faces = std::ranges::any_of(line_, [&](const Place& sample) {
         return distance(sample.at, cut_.at(v)) < coarse && dot(cut_.areaNormal(t), sample.face) > 0;
       });
       if (faces) sources.push_back(v);
@@ -239,7 +285,7 @@ void Reacher::closeDetours() {
     const double way = std::min({ways[corners[0]], ways[corners[1]], ways[corners[2]]});
     open_[t] = way <= kDetour * radius_ + coarse;
   }
-  for (Sample& sample : line_) {  // the triangle that it lies in now
+  for (Place& sample : line_) {  // the triangle that it lies in now
     double least = kFar;
     for (const std::uint32_t t : near_) {
       const double away = distance(cut_.nearestOn(t, sample.at), sample.at);
@@ -251,7 +297,7 @@ void Reacher::closeDetours() {
 
 void Reacher::findNormals() {
   const double reach = radius_ / 2;
-  for (Sample& sample : line_) {
+  for (Place& sample : line_) {
     ModelPoint sum = sample.face * (1e-9 * reach * reach);
     for (const std::uint32_t t : near_) {
       const std::uint32_t h = 3 * t;
@@ -266,13 +312,13 @@ void Reacher::findNormals() {
 }
 
 void Reacher::mark(std::uint32_t vertex, double place) {
-  addDistances();
-  linePlace_.resize(distances_.size(), kNoPlace);
+  addDepths();
+  linePlace_.resize(depths_.size(), kNoPlace);
   if (linePlace_[vertex] == kNoPlace) linePlace_[vertex] = place;
-  distances_[vertex] = 0;
+  depths_[vertex] = depthAt(cut_.at(vertex));
 }
 
-void Reacher::insertEnd(const Sample& sample, double place) {
+void Reacher::insertEnd(const Place& sample, double place) {
   std::uint32_t best = near_.front();
   double least = kFar;
   for (const std::uint32_t t : near_) {
@@ -332,23 +378,22 @@ void Reacher::cutSegment(std::size_t i, std::vector<std::uint32_t>& near) {
   }
 }
 
-void Reacher::cutLine() {
-  insertEnd(line_.front(), 0);
-  if (line_.size() == 1) return;
-  insertEnd(line_.back(), places_.back());
+void Reacher::cutLine(std::size_t first, std::size_t end) {
+  insertEnd(line_[first], places_[first]);
+  if (end - first == 1) return;
+  insertEnd(line_[end - 1], places_[end - 1]);
   std::vector<std::uint32_t> near;
   for (const std::uint32_t t : near_) {
-    const bool isClose = distances_[cut_.from(3 * t)] < 2 * edge_ || distances_[cut_.from(3 * t + 1)] < 2 * edge_ ||
-                         distances_[cut_.from(3 * t + 2)] < 2 * edge_;
-    if (isClose) near.push_back(t);
+    const auto isClose = [&](std::uint32_t v) { return toLine(cut_.at(v)) < 2 * edge_; };
+    if (std::ranges::any_of(cut_.mesh().triangles[t], isClose)) near.push_back(t);
   }
-  for (std::size_t i = 0; i + 1 < line_.size(); ++i) cutSegment(i, near);
+  for (std::size_t i = first; i + 1 < end; ++i) cutSegment(i, near);
 }
 
-// Shortest ways along edges from some vertices, within the radius.
+// Shortest ways along edges from some vertices, within the rim.
 std::vector<double> Reacher::waysFrom(const std::vector<std::uint32_t>& sources) const {
-  std::vector<double> ways(distances_.size(), kFar);
-  std::vector<std::vector<std::uint32_t>> next(distances_.size());
+  std::vector<double> ways(depths_.size(), kFar);
+  std::vector<std::vector<std::uint32_t>> next(depths_.size());
   for (const std::uint32_t t : near_) {
     for (std::uint32_t half = 3 * t; half < 3 * t + 3; ++half) next[cut_.from(half)].push_back(cut_.to(half));
   }
@@ -358,7 +403,7 @@ std::vector<double> Reacher::waysFrom(const std::vector<std::uint32_t>& sources)
   while (!queue.empty()) {
     const auto [way, v] = queue.top();
     queue.pop();
-    if (way > ways[v] || distances_[v] >= radius_) continue;
+    if (way > ways[v] || depths_[v] <= 0) continue;
     for (const std::uint32_t other : next[v]) {
       const double longer = way + distance(cut_.at(v), cut_.at(other));
       if (longer < ways[other]) queue.emplace(ways[other] = longer, other);
@@ -368,16 +413,17 @@ std::vector<double> Reacher::waysFrom(const std::vector<std::uint32_t>& sources)
 }
 
 void Reacher::cutRim() {
-  addDistances();
-  linePlace_.resize(distances_.size(), kNoPlace);
+  addDepths();
+  linePlace_.resize(depths_.size(), kNoPlace);
   std::vector<std::uint32_t> sources;
   for (std::uint32_t v = 0; v < linePlace_.size(); ++v) {
     if (linePlace_[v] != kNoPlace) sources.push_back(v);
   }
   const std::vector<double> ways = waysFrom(sources);
-  rim_.assign(distances_.size(), true);
-  for (std::size_t v = 0; v < ways.size(); ++v)
-    rim_[v] = distances_[v] >= radius_ || ways[v] > kDetour * radius_ + 2 * edge_;
+  const double longest = ring_ ? std::numeric_limits<double>::max() : kDetour * radius_ + 2 * edge_;
+  rim_.assign(depths_.size(), true);
+  const double onRim = ring_ ? 1e-9 * ring_->length() : 0;
+  for (std::size_t v = 0; v < ways.size(); ++v) rim_[v] = depths_[v] <= onRim || ways[v] > longest;
   // What is left out keeps its corners.
   std::vector<bool> isNear(cut_.triangles(), false);
   for (const std::uint32_t t : near_) isNear[t] = true;
@@ -388,29 +434,28 @@ void Reacher::cutRim() {
   for (std::size_t k = 0; k < near_.size(); ++k) {
     for (std::uint32_t half = 3 * near_[k]; half < 3 * near_[k] + 3; ++half) {
       const std::uint32_t in = cut_.from(half), out = cut_.to(half);
-      if (rim_[in] || !rim_[out] || distances_[out] <= radius_) continue;
-      if (!std::isfinite(distances_[out])) distances_[out] = toLine(cut_.at(out));
-      double share = (radius_ - distances_[in]) / (distances_[out] - distances_[in]);
+      if (rim_[in] || !rim_[out] || depths_[out] >= 0) continue;
+      if (!std::isfinite(depths_[out])) depths_[out] = depthAt(cut_.at(out));
+      double share = depths_[in] / (depths_[in] - depths_[out]);
       for (int round = 0; round < 3; ++round) {
-        const double there = toLine(lerp(cut_.at(in), cut_.at(out), share));
-        const double slope = (there - distances_[in]) / share;
-        if (slope > 0) share = std::clamp((radius_ - distances_[in]) / slope, kTouch / 2, 1.0);
+        const double slope = (depths_[in] - depthAt(lerp(cut_.at(in), cut_.at(out), share))) / share;
+        if (slope > 0) share = std::clamp(depths_[in] / slope, kTouch / 2, 1.0);
       }
       const std::uint32_t across = cut_.twin(half);
       if (across == mesh::kNone || share > 1 - kTouch) continue;
       if (share > 1 - kSnap && cut_.slide(across, 1 - share)) {
-        distances_[out] = radius_;
+        depths_[out] = 0;
         continue;
       }
       if (linePlace_[in] == kNoPlace && (share < kTouch || (share < kSnap && cut_.slide(half, share)))) {
-        distances_[in] = radius_;
+        depths_[in] = 0;
         rim_[in] = true;
         continue;
       }
       const auto first = static_cast<std::uint32_t>(cut_.triangles());
       cut_.split(half, share);
       near_.insert(near_.end(), {first, first + 1});
-      distances_.push_back(radius_);
+      depths_.push_back(0);
       linePlace_.push_back(kNoPlace);
       rim_.push_back(true);
     }
@@ -418,16 +463,18 @@ void Reacher::cutRim() {
 }
 
 ModelPoint Reacher::moveAt(double place) const {
-  std::size_t i = 0;
-  while (i + 2 < line_.size() && places_[i + 1] < place) ++i;
-  const Sample &a = line_[i], &b = line_[std::min(i + 1, line_.size() - 1)];
+  const bool second = across_ < line_.size() && place >= places_[across_];
+  const std::size_t first = second ? across_ : 0, last = (second ? line_.size() : across_) - 1;
+  std::size_t i = first;
+  while (i + 1 < last && places_[i + 1] < place) ++i;
+  const Place &a = line_[i], &b = line_[std::min(i + 1, last)];
   const double step = distance(a.at, b.at), t = step > 0 ? (place - places_[i]) / step : 0;
-  if (pull_.to.empty()) return normalized(lerp(a.normal, b.normal, t));
-  const std::span<const ModelPoint> to(pull_.to);
+  const std::span<const ModelPoint> to(second ? pull_.acrossTo : pull_.to);
+  if (to.empty()) return normalized(lerp(a.normal, b.normal, t));
   const std::vector<double> lengths = geometry::arcLengths(to);
   // To a single place the line goes as it is, with its middle there.
-  if (lengths.back() <= 0) return to.front() - line_[line_.size() / 2].at;
-  const double share = places_.back() > 0 ? place / places_.back() : 0;
+  if (lengths.back() <= 0) return to.front() - line_[first + (last + 1 - first) / 2].at;
+  const double length = places_[last] - places_[first], share = length > 0 ? (place - places_[first]) / length : 0;
   return geometry::pointAt(to, std::span<const double>(lengths), share * lengths.back()) - lerp(a.at, b.at, t);
 }
 
@@ -437,7 +484,7 @@ Reach Reacher::follow() {
   std::vector<std::uint32_t> local(cut_.mesh().positions.size(), mesh::kNone);
   const auto own = [&](std::uint32_t v) {
     if (local[v] != mesh::kNone) return local[v];
-    const bool given = linePlace_[v] != kNoPlace;
+    const bool given = linePlace_[v] != kNoPlace && !(ring_ && rim_[v]);
     vertices.push_back(v);
     sheet.points.push_back(cut_.at(v));
     sheet.roles.push_back(given ? Sheet::Role::Given : rim_[v] ? Sheet::Role::Rim : Sheet::Role::Free);
@@ -450,16 +497,19 @@ Reach Reacher::follow() {
     sheet.triangles.push_back({own(corners[0]), own(corners[1]), own(corners[2])});
   }
   Reach reach;
-  if (spread(sheet, pull_.crease)) {
+  const Stiffness sharp = ring_ ? Stiffness::FreeAtRim : Stiffness::AlongLines;
+  if (spread(sheet, pull_.crease ? sharp : Stiffness::Smooth)) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (sheet.roles[i] != Sheet::Role::Rim) reach.moved.push_back({vertices[i], sheet.moves[i]});
     }
   }
+  const double end = places_[across_ - 1];
   for (std::uint32_t v = 0; v < linePlace_.size(); ++v) {
-    if (linePlace_[v] != kNoPlace) reach.line.push_back(v);
+    if (linePlace_[v] != kNoPlace && linePlace_[v] <= end) reach.line.push_back(v);
   }
   std::ranges::sort(reach.line, {}, [&](std::uint32_t v) { return linePlace_[v]; });
-  reach.out = line_[line_.size() / 2].normal;
+  for (const Place& sample : ringLine_) reach.ring.push_back(sample.at);
+  reach.out = line_[across_ / 2].normal;
   reach.mesh = cut_.take();
   return reach;
 }
@@ -468,7 +518,7 @@ Reach Reacher::follow() {
 
 Result<Reach> reachOf(const mesh::TriMesh& mesh, const Pull& pull) {
   if (Status checked = checkPulls({pull}); !checked.ok()) return checked.failure();
-  if (mesh.triangles.empty()) return Reach{mesh, {}, {}, {}};
+  if (mesh.triangles.empty()) return Reach{mesh, {}, {}, {}, {}};
   try {
     return Reacher(mesh, pull).make();
   } catch (const std::bad_alloc&) {

@@ -40,6 +40,11 @@ const along = (from, to, count = 8) =>
     x: from.x + ((to.x - from.x) * i) / count,
     y: from.y + ((to.y - from.y) * i) / count,
   }));
+const ringRound = ({ x, y }, radius) =>
+  Array.from({ length: 33 }, (_, i) => ({
+    x: x + radius * Math.cos((Math.PI * i) / 16.5),
+    y: y + radius * Math.sin((Math.PI * i) / 16.5),
+  }));
 const pullsOf = async (page) => (await state(page)).parts[0].pulls;
 
 test('a line on the solid bulges and its knob goes further out, by mouse, finger and pen, each one step', () =>
@@ -71,6 +76,45 @@ test('a line on the solid bulges and its knob goes further out, by mouse, finger
       await run(page, 'home-view');
     }
     assert.ok((await exported(page, 'glb')).length > 50000);
+  }));
+
+test('a ring on the solid is a bump, by mouse and pen, and its knob is its height', () =>
+  onPage(kit, kDesk, async (page) => {
+    await egg(page);
+    // A finger after a pen moves the picture: it has a page of its own below.
+    for (const device of ['mouse', 'pen']) {
+      const middle = await onSolid(page, [500, 400]);
+      await strokeAlong(page, device, along({ x: middle.x - 240, y: middle.y }, { x: middle.x - 200, y: middle.y }));
+      await run(page, 'home-view');
+      const { undo } = await state(page);
+      const centre = await onSolid(page, [500, 400]);
+      await strokeAlong(page, device, ringRound(centre, 50));
+      let [bump] = await pullsOf(page);
+      assert.ok(bump?.ring > 20 && bump.points === 1 && bump.height > 0, device);
+      assert.equal((await state(page)).undo, undo + 1);
+      for (let i = 0; i < 3; i += 1) await run(page, 'turn-left');
+      const knob = await toClient(page, (await state(page)).pullKnobs[0].at);
+      const { height } = bump;
+      await strokeAlong(page, device, along(knob, { x: knob.x - 40, y: knob.y }));
+      await run(page, 'home-view');
+      [bump] = await pullsOf(page);
+      assert.ok(bump.height > height + 5, `${device}: ${height} ${bump.height}`);
+      assert.equal((await state(page)).undo, undo + 2);
+      await run(page, 'undo');
+      await run(page, 'undo');
+      assert.deepEqual(await pullsOf(page), []);
+    }
+  }));
+
+test('a ring on a phone is a bump as well, and is there after a reload', () =>
+  onPage(kit, kPhone, async (page) => {
+    await egg(page, true);
+    await strokeAlong(page, 'finger', ringRound(await onSolid(page, [500, 400]), 30));
+    const [bump] = await pullsOf(page);
+    assert.ok(bump?.ring > 20 && bump.share === 1);
+    await reload(page);
+    await idle(page);
+    assert.deepEqual(await pullsOf(page), [bump]);
   }));
 
 test('a tap on a phone bulges, and a drag beside the solid turns it', () =>

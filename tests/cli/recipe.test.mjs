@@ -36,6 +36,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'face',
     'hand',
     'helix',
+    'ladybird',
     'letters',
     'loft-from-the-side',
     'one-smooth-bone',

@@ -331,6 +331,11 @@ struct Make<SetPulls> {
       pull::Pull pull{{place()}, rng.uniform(-20, 20), {}, rng.uniform(1, 60), rng.below(2) == 0};
       if (rng.below(2) == 0) pull.line.push_back(place());
       if (rng.below(3) == 0) pull.to = {place(), place()};
+      if (rng.below(3) == 0) pull.ring = {place(), place(), place(), place()};
+      if (rng.below(4) == 0) {
+        pull.across = {place(), place()};
+        if (!pull.to.empty()) pull.acrossTo = {place(), place(), place()};
+      }
       set.pulls.push_back(std::move(pull));
     }
     return set;

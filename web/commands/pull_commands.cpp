@@ -2,12 +2,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <tuple>
+#include <utility>
 
+#include "engine/geometry/polyline.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
+#include "web/edit/bumping.h"
 #include "web/edit/picker.h"
 #include "web/edit/pulling.h"
 #include "web/edit/redrawn_outline.h"
@@ -53,24 +58,33 @@ Outcome usePull(Env env) {
   const document::Document& document = env.studio.document();
   if (!document::findPart(document, env.ui.selection)) env.ui.selection = document.parts.back()->id;
   env.ui.alsoSelected.clear();
-  sendStatus(env.host, "Tap the solid, or draw a line on it: it bulges there. Drag the knob out or in.");
+  sendStatus(env.host, "Tap the solid, or draw a line or a ring on it: it bulges there. Drag the knob out or in.");
   return {};
 }
 
-/// Whether the part with these pulls, of which this one is new or another, does not go through itself there. True as
-/// well while the part has no shape of its own yet: that is looked at when it has.
-bool goesAllTheWay(Env env, const document::Part& part, const Pulls& pulls, std::size_t changed) {
+/// What the part with these pulls makes of the one that is new or another: all of its way, less because it would go
+/// through itself, or nothing there follows. All as well while the part has no shape of its own yet: that is looked at
+/// when it has.
+enum class Way : std::uint8_t { All, Less, Nothing };
+Way wayOf(Env env, const document::Part& part, const Pulls& pulls, std::size_t changed) {
   const auto& parts = env.studio.derived().parts;
   const auto now = std::ranges::find(parts, part.id, &pipeline::DerivedPart::id);
   pipeline::PartShape made;
-  if (now == parts.end() || !now->shape || now->waiting || !env.studio.preview(part.recipe, pulls, made)) return true;
-  return changed >= made.pulled.size() || made.pulled[changed].share == 1;
+  if (now == parts.end() || !now->shape || now->waiting || !env.studio.preview(part.recipe, pulls, made))
+    return Way::All;
+  if (changed >= made.pulled.size() || made.pulled[changed].share == 1) return Way::All;
+  return made.pulled[changed].points.empty() ? Way::Nothing : Way::Less;
+}
+bool goesAllTheWay(Env env, const document::Part& part, const Pulls& pulls, std::size_t changed) {
+  return wayOf(env, part, pulls, changed) == Way::All;
 }
 
 /// Where a new pull starts from.
 pull::Pull unmoved(pull::Pull pull) {
   pull.height = 0;
-  if (pull.to.size() == pull.line.size()) pull.to = pull.line;
+  for (const auto& [line, to] : {std::pair(&pull.line, &pull.to), {&pull.across, &pull.acrossTo}}) {
+    if (to->size() > 1 && line->size() > 1) *to = geometry::resample(std::span<const ModelPoint>(*line), to->size());
+  }
   return pull;
 }
 
@@ -82,7 +96,12 @@ Outcome keepPulls(Env env, const document::Part& part, Pulls pulls, std::size_t 
                   std::string_view burst = {}) {
   const bool isNew = changed >= part.pulls.size();
   const pull::Pull asked = pulls[changed], from = isNew ? unmoved(asked) : part.pulls[changed];
-  const bool whole = goesAllTheWay(env, part, pulls, changed);
+  const Way way = wayOf(env, part, pulls, changed);
+  if (way == Way::Nothing) {
+    return Refusal{"NotNow", asked.ring.empty() ? "There is nothing to pull."
+                                                : "There is too little room within the ring. Draw a larger one."};
+  }
+  const bool whole = way == Way::All;
   if (!whole) {
     double low = 0, high = 1;
     while (high - low > kFinest) {
@@ -137,6 +156,7 @@ Outcome widen(Env env, double factor) {
     return {};
   }
   return changeChosen(env, "widen", [&](pull::Pull& pull) {
+    if (!pull.ring.empty()) return widenBump(pull, factor);
     pull.radius = std::clamp(pull.radius * factor, pull::kLeastRadius, pull::kMostRadius);
   });
 }
@@ -173,22 +193,36 @@ Outcome remove(Env env, const Json&) {
   return outcomeOf(env.studio.act(document::SetPulls{part.id, std::move(pulls)}));
 }
 
+Refusal notInTheMiddle() { return {"NotNow", "The part is not in the middle of the view: turn or move it there."}; }
+
 /// In the middle of the solid view, for those who use no pointer.
 Outcome here(Env env, const Json&) {
   const PulledPart part = pulledPart(env.studio.document(), env.studio.derived(), env.ui);
   const Rect& view = env.ui.layout.solid;
   const Ray ray{env.ui.camera.eye(), rayThrough(env.ui.camera, view, view.centre())};
   const auto place = part ? surfaceUnder(part, ray) : std::nullopt;
-  if (place) return drawPull(env, env.ui.selection, {*place});
-  return Refusal{"NotNow", "The part is not in the middle of the view: turn or move it there."};
+  return place ? drawPull(env, env.ui.selection, {place->at}) : notInTheMiddle();
+}
+Outcome bumpHere(Env env, const Json&) {
+  const PulledPart part = pulledPart(env.studio.document(), env.studio.derived(), env.ui);
+  const std::vector<ModelPoint> ring = part ? circleInView(part, env.ui) : std::vector<ModelPoint>{};
+  return ring.empty() ? notInTheMiddle() : drawBump(env, env.ui.selection, ring);
 }
 
 // ---- what programs say ------------------------------------------------------------------------------------------
 
-/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the front of the part, `back`: onto
-/// its back. None: it is no such list, or a place is beside the part.
-std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const Json& list, bool back) {
+/// Where the front of a part, `back`: its back, is at a place of the picture. None: beside the part.
+std::optional<ModelPoint> cast(const PulledPart& part, double x, double y, bool back) {
   constexpr double kFar = 1e7;
+  const double way = back ? 1 : -1;
+  const ModelPoint eye{x, y, -way * kFar};
+  const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
+  return std::isfinite(far) ? std::optional(eye + ModelPoint{0, 0, way * far}) : std::nullopt;
+}
+
+/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the part. None: it is no such list, or
+/// a place is beside the part.
+std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const Json& list, bool back) {
   if (list.array() == nullptr || list.array()->empty()) return std::nullopt;
   std::vector<ModelPoint> places;
   for (const Json& place : *list.array()) {
@@ -200,11 +234,9 @@ std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const 
       places.push_back({at[0], at[1], at[2]});
       continue;
     }
-    const double way = back ? 1 : -1;
-    const ModelPoint eye{at[0], -at[1], -way * kFar};
-    const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
-    if (!std::isfinite(far)) return std::nullopt;
-    places.push_back(eye + ModelPoint{0, 0, way * far});
+    const auto front = cast(part, at[0], -at[1], back);
+    if (!front) return std::nullopt;
+    places.push_back(*front);
   }
   return places;
 }
@@ -221,21 +253,36 @@ void takeNumbers(const Json& args, pull::Pull& pull) {
 }
 
 Outcome pullRow(Env env, const Json& args) {
-  const Json* line = args.find("line");
-  if (line == nullptr) return usePull(env);
+  const Json *line = args.find("line"), *ring = args.find("ring");
+  if (line == nullptr && ring == nullptr) return usePull(env);
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
   const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part->id);
   if (!shown) return Refusal{"NotNow", "The part has no shape yet: wait, or show it."};
   const bool back = args.flag("back").value_or(false);
-  const auto places = placesFrom(shown, *line, back);
-  if (!places) return missingLine("a line");
-  pull::Pull made = usualPull(shown, env.ui.edit, *places);
-  made.line = *places;
-  if (const Json* to = args.find("to")) {
-    const auto ends = placesFrom(shown, *to, back);
-    if (!ends) return missingLine("where it goes (to)");
-    made.to = *ends;
+  pull::Pull made;
+  if (ring != nullptr) {
+    const auto round = placesFrom(shown, *ring, back);
+    if (!round) return missingLine("a ring");
+    if (round->size() < 3) return missingLine("a ring of three places or more");
+    made = usualBump(env.ui.edit, *round, topOf(shown.shape->mesh, *round).value_or(round->front()));
+  }
+  if (line != nullptr) {
+    const auto places = placesFrom(shown, *line, back);
+    if (!places) return missingLine("a line");
+    if (ring == nullptr) made = usualPull(shown, env.ui.edit, *places);
+    made.line = *places;
+  }
+  const std::tuple<const char*, const char*, std::vector<ModelPoint>*> others[] = {
+      {"to", "where it goes (to)", &made.to},
+      {"across", "a line across", &made.across},
+      {"acrossTo", "where that goes (acrossTo)", &made.acrossTo}};
+  for (const auto& [name, what, list] : others) {
+    const Json* told = args.find(name);
+    if (told == nullptr) continue;
+    const auto ends = placesFrom(shown, *told, back);
+    if (!ends) return missingLine(what);
+    *list = *ends;
   }
   takeNumbers(args, made);
   Pulls pulls = part->pulls;
@@ -278,7 +325,7 @@ constexpr Condition kHasParts{hasParts}, kHasPulls{hasPulls}, kChosen{pullIsChos
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "pull", .label = "Pull", .icon = "mountain", .shortcut = "Shift+P", .group = "tool", .argument = kLine,
-            .hint = "Tap the solid or draw a line on it, and pull it out or push it in", .enabled = kHasParts,
+            .hint = "Tap the solid, or draw a line or a ring on it, and pull it out or push it in", .enabled = kHasParts,
             .toggled = pullTool, .run = pullRow},
     Command{.id = "pull-out", .label = "Further out", .icon = "chevron-up", .shortcut = "ArrowUp, Shift+ArrowUp",
             .group = "part", .hint = "The chosen pull goes further out", .enabled = kChosen, .run = out,
@@ -291,10 +338,13 @@ constexpr std::array kTable = {
     Command{.id = "pull-wider", .label = "Wider", .icon = "unfold-vertical", .shortcut = "]", .group = "part",
             .hint = "More of the surface follows the pull", .enabled = kTool, .run = wider, .mode = &kPullToolMode},
     Command{.id = "pull-sharp", .label = "Sharp edge", .icon = "chart-line", .shortcut = "E", .group = "part",
-            .hint = "An edge along the line, or a smooth bulge", .enabled = kTool, .toggled = isSharp, .run = sharp,
+            .hint = "An edge along the line or the ring, or a smooth bulge", .enabled = kTool, .toggled = isSharp, .run = sharp,
             .mode = &kPullToolMode},
     Command{.id = "pull-here", .label = "Pull in the middle", .icon = "mountain", .shortcut = "Enter", .group = "part",
             .hint = "A pull in the middle of the solid view", .enabled = kTool, .run = here, .mode = &kPullToolMode},
+    Command{.id = "bump-here", .label = "Bump in the middle", .icon = "circle-dot", .shortcut = "Shift+Enter",
+            .group = "part", .hint = "A round bump in the middle of the solid view", .enabled = kTool, .run = bumpHere,
+            .mode = &kPullToolMode},
     Command{.id = "pull-next", .label = "Next pull", .icon = "chevron-right", .shortcut = ".", .group = "part",
             .hint = "Choose the next pull of the part", .enabled = kHasPulls, .run = next, .mode = &kPullToolMode},
     Command{.id = "pull-previous", .label = "Pull before", .icon = "chevron-left", .shortcut = ",", .group = "part",
@@ -313,6 +363,14 @@ Outcome drawPull(Env env, PartId part, const std::vector<ModelPoint>& line) {
   const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part);
   if (!shown || line.empty()) return noPart();
   return addPull(env, *shown.part, usualPull(shown, env.ui.edit, line));
+}
+
+Outcome drawBump(Env env, PartId part, const std::vector<ModelPoint>& ring) {
+  const PulledPart shown = pulledPartOf(env.studio.document(), env.studio.derived(), env.ui, part);
+  if (!shown || ring.empty()) return noPart();
+  const auto top = topOf(shown.shape->mesh, ring);
+  if (top) return addPull(env, *shown.part, usualBump(env.ui.edit, ring, *top));
+  return Refusal{"NotNow", "The part is not within the ring. Draw the ring round a place of the solid."};
 }
 
 Outcome redrawSeenOutline(Env env, PartId part, const std::vector<ClientPoint>& stroke, double reach) {

@@ -11,7 +11,8 @@ void writePulls(JsonWriter& json, const document::Part& part, const pipeline::De
     const bool made = derived.shape && i < derived.shape->pulled.size();
     json.beginObject().key("points").number(static_cast<double>(pull.line.size())).key("height").number(pull.height);
     json.key("to").number(static_cast<double>(pull.to.size())).key("radius").number(pull.radius);
-    json.key("crease").flag(pull.crease).key("share").number(made ? derived.shape->pulled[i].share : 1).endObject();
+    json.key("crease").flag(pull.crease).key("ring").number(static_cast<double>(pull.ring.size()));
+    json.key("share").number(made ? derived.shape->pulled[i].share : 1).endObject();
   }
   json.endArray();
 }

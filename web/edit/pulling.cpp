@@ -18,6 +18,12 @@ constexpr double kShort = 0.3;        // of the radius
 constexpr double kUsualHeight = 0.5;  // of the radius
 constexpr std::size_t kLinePoints = 24;
 
+ModelPoint middleOfLine(const std::vector<ModelPoint>& line) {
+  const std::span<const ModelPoint> points(line);
+  const std::vector<double> lengths = geometry::arcLengths(points);
+  return geometry::pointAt(points, std::span<const double>(lengths), lengths.back() / 2);
+}
+
 }  // namespace
 
 PulledPart pulledPartOf(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
@@ -73,17 +79,19 @@ int pullKnobAt(const PulledPart& part, const UiState& ui, ClientPoint at, double
   return found;
 }
 
-std::optional<ModelPoint> surfaceUnder(const PulledPart& part, const Ray& ray) {
+std::optional<SurfacePlace> surfaceUnder(const PulledPart& part, const Ray& ray) {
   double nearest = std::numeric_limits<double>::infinity();
-  ModelPoint at;
+  SurfacePlace place;
+  std::size_t copy = 0;
   for (const pipeline::ToWorld& toWorld : part.copies) {
+    ++copy;
     const ModelPoint eye = toWorld.toModel(ray.eye), way = toWorld.alongInModel(ray.direction);
     const double far = firstHitOf(part.shape->mesh, eye, way);
     if (!(far < nearest)) continue;
     nearest = far;
-    at = eye + way * far;
+    place = {eye + way * far, copy - 1};
   }
-  return std::isfinite(nearest) ? std::optional(at) : std::nullopt;
+  return std::isfinite(nearest) ? std::optional(place) : std::nullopt;
 }
 
 double sizeOf(const pipeline::PartShape& shape) {
@@ -107,15 +115,22 @@ pull::Pull usualPull(const PulledPart& part, const EditOptions& options, const s
 
 double heightOf(const pull::Pull& pull, const pipeline::PulledLine& shown) {
   if (pull.to.empty()) return pull.height;
-  return dot(pull.to[pull.to.size() / 2] - pull.line[pull.line.size() / 2], shown.out);
+  return dot(middleOfLine(pull.to) - middleOfLine(pull.line), shown.out);
 }
 
 pull::Pull raised(const pull::Pull& pull, const pipeline::PulledLine& shown, double by) {
   pull::Pull moved = pull;
   if (pull.to.empty()) {
     moved.height = std::clamp(pull.height + by, -pull::kMostHeight, pull::kMostHeight);
-  } else {
-    for (ModelPoint& p : moved.to) p += shown.out * by;
+    return moved;
+  }
+  for (auto* to : {&moved.to, &moved.acrossTo}) {
+    const double last = std::max(1.0, static_cast<double>(to->size()) - 1);
+    for (std::size_t i = 0; i < to->size(); ++i) {
+      const double s = static_cast<double>(i) / last;
+      // The ends of a profile are on its ring, which stays.
+      (*to)[i] += shown.out * (pull.ring.empty() || to->size() == 1 ? by : 4 * s * (1 - s) * by);
+    }
   }
   return moved;
 }
@@ -124,9 +139,12 @@ std::optional<pull::Pull> between(const pull::Pull& from, const pull::Pull& to, 
   pull::Pull out = to;
   out.height = from.height;
   out.to = from.to;
-  if (!(out == from) || from.to.size() != to.to.size()) return std::nullopt;
+  out.acrossTo = from.acrossTo;
+  if (!(out == from) || from.to.size() != to.to.size() || from.acrossTo.size() != to.acrossTo.size())
+    return std::nullopt;
   out.height = std::lerp(from.height, to.height, share);
   for (std::size_t i = 0; i < out.to.size(); ++i) out.to[i] = lerp(from.to[i], to.to[i], share);
+  for (std::size_t i = 0; i < out.acrossTo.size(); ++i) out.acrossTo[i] = lerp(from.acrossTo[i], to.acrossTo[i], share);
   return out;
 }
 

@@ -39,17 +39,22 @@ std::optional<PullKnob> pullKnob(const PulledPart& part, const UiState& ui, std:
 /// The number of the nearest knob within reach, CSS pixels: one that faces the eye, or the chosen one. −1: none.
 int pullKnobAt(const PulledPart& part, const UiState& ui, ClientPoint at, double reach);
 
-/// Where a ray meets the surface of any copy first: ModelSpace.
-std::optional<ModelPoint> surfaceUnder(const PulledPart& part, const Ray& ray);
+struct SurfacePlace {
+  ModelPoint at;
+  std::size_t copy = 0;  ///< of the part, which was hit
+};
+/// Where a ray meets the surface of any copy first.
+std::optional<SurfacePlace> surfaceUnder(const PulledPart& part, const Ray& ray);
 
 /// The diagonal of its bounds, picture pixels.
 double sizeOf(const pipeline::PartShape& shape);
 /// A pull along a line on the surface, of the width and sharpness that the tool is set to, out by half of its radius.
 /// A line that is short beside the radius is a place. `line` ≥ 1 point.
 pull::Pull usualPull(const PulledPart& part, const EditOptions& options, const std::vector<ModelPoint>& line);
-/// How far out it goes: its height, or that of the middle of the line where it goes.
+/// How far out it goes: its height, or that of the middle of where its line goes.
 double heightOf(const pull::Pull& pull, const pipeline::PulledLine& shown);
-/// With another height: of one with a line to go to all of that is moved on.
+/// With another height: of one with a line to go to all of that is moved on, of a bump with profiles their middles most
+/// and their ends not.
 pull::Pull raised(const pull::Pull& pull, const pipeline::PulledLine& shown, double by);
 /// Between two that differ in nothing but where they go: `share` of the way from one to the other. None: they differ in
 /// more.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "web/edit/bumping.h"
 #include "web/edit/pulling.h"
 #include "web/panels/panels.h"
 #include "web/panels/theme.h"
@@ -18,14 +19,14 @@ struct Pen {
 
 /// Nothing of what is behind the eye.
 void lineOn(ImDrawList& list, const PanelEnv& env, const app::PulledPart& part, std::span<const ModelPoint> line,
-            const Pen& pen) {
+            const Pen& pen, ImDrawFlags flags = ImDrawFlags_None) {
   const app::UiState& ui = env.ui();
   list.PathClear();
   for (const ModelPoint p : line) {
     const auto at = app::pointOnCanvas(ui.camera, ui.layout.solid, part.toWorld()(p));
     if (at) list.PathLineTo({static_cast<float>(at->x), static_cast<float>(at->y)});
   }
-  list.PathStroke(pen.colour, 0, pen.width);
+  list.PathStroke(pen.colour, flags, pen.width);
 }
 
 /// A disc with arrows to both ways that it can be dragged.
@@ -63,7 +64,9 @@ void drawPulls(const PanelEnv& env) {
   list.PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                     {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
   const std::span<const ModelPoint> drawn(ui.inHand.onSolid);
-  for (const Pen& pen : {Pen{faded(kHalo, 220), 6.f}, Pen{colour, 3.f}}) lineOn(list, env, part, drawn, pen);
+  const bool isRing = drawn.size() > 1 && app::ringOf(ui.inHand.onSolid);
+  const ImDrawFlags closed = isRing ? ImDrawFlags_Closed : ImDrawFlags_None;
+  for (const Pen& pen : {Pen{faded(kHalo, 220), 6.f}, Pen{colour, 3.f}}) lineOn(list, env, part, drawn, pen, closed);
   for (const Pen& pen : {Pen{faded(kHalo, 220), 6.f}, Pen{colour, 3.f}}) {
     list.PathClear();
     for (const app::ClientPoint p : ui.inHand.besideSolid) {
@@ -78,6 +81,7 @@ void drawPulls(const PanelEnv& env) {
     const std::span<const ModelPoint> line(part.shape->pulled[i].points);
     for (const Pen& pen : {Pen{faded(kHalo, 170), 4.5f}, Pen{chosen ? kDark : colour, 2.f}}) {
       lineOn(list, env, part, line, pen);
+      lineOn(list, env, part, part.shape->pulled[i].ring, pen, ImDrawFlags_Closed);
     }
     knob(list, *at, hot, chosen, colour);
   }

@@ -314,7 +314,7 @@ void drawHints(const PanelEnv& env) {
   const bool draws = !env.ui().inHand.onSolid.empty() || !env.ui().inHand.besideSolid.empty();
   if (pulled != nullptr && pulled->pulls.empty() && !draws && !env.ui().solids.hollow) {
     pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
-         {"Tap the solid, or draw a line on it", kAccent, kOnAccent});
+         {"Tap the solid, or draw a line or a ring on it", kAccent, kOnAccent});
   }
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing && !layers) {

@@ -171,8 +171,8 @@ export interface Part {
   shape: ShapeInfo | null;
   /** Of a loft or a puff whose depth an outline in a side picture says; pixels of that picture. */
   side: { picture: number; lines: PicturePoint[][] } | null;
-  /** Lines on its surface that are moved, in order: how many points each has and how many it goes to, height and radius in picture pixels, and the share of the way that it could go without going through itself. */
-  pulls: { points: number; height: number; to: number; radius: number; crease: boolean; share: number }[];
+  /** Lines on its surface that are moved, in order: how many points each has, how many it goes to and how many its ring has (0: no bump), height and radius in picture pixels, and the share of the way that it could go without going through itself. */
+  pulls: { points: number; height: number; to: number; radius: number; crease: boolean; ring: number; share: number }[];
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */

@@ -1,14 +1,18 @@
 #include "web/tools/pull_tool.h"
 
+#include <algorithm>
+#include <optional>
 #include <span>
 
 #include "engine/geometry/polyline.h"
 #include "web/commands/intents.h"
+#include "web/edit/bumping.h"
 #include "web/edit/preview.h"
 
 namespace spineloft::tools {
 namespace {
 
+constexpr double kLeastRing = 16;   // CSS pixels from its beginning: what is smaller is a tap
 constexpr double kOutlineEnds = 2;  // of the reach of a press: ends of a line are that near to the outline
 
 }  // namespace
@@ -43,7 +47,10 @@ void PullTool::addPlace(const ToolEnv& env, app::ClientPoint at) {
   const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, at)};
   const auto place = app::surfaceUnder(part, ray);
   std::vector<ModelPoint>& line = env.ui.inHand.onSolid;
-  if (place && (line.empty() || distance(line.back(), *place) > 0)) line.push_back(*place);
+  farthest_ = std::max(farthest_, distance(at, watch_.start()));
+  if (!place || (!line.empty() && (place->copy != copy_ || distance(line.back(), place->at) == 0))) return;
+  copy_ = place->copy;
+  line.push_back(place->at);
 }
 
 void PullTool::move(const ToolEnv& env, const ToolEvent& event) {
@@ -78,7 +85,12 @@ void PullTool::commit(const ToolEnv& env) {
     env.ui.preview.reset();
     env.sink.run(app::setPull, part, static_cast<std::size_t>(knob_), changed);
   } else if (knob_ < 0 && !line.empty()) {
-    env.sink.run(app::drawPull, env.ui.selection, line);
+    const auto ring = farthest_ > kLeastRing ? app::ringOf(line) : std::nullopt;
+    if (ring) {
+      env.sink.run(app::drawBump, env.ui.selection, *ring);
+    } else {
+      env.sink.run(app::drawPull, env.ui.selection, line);
+    }
   }
 }
 

@@ -1,9 +1,8 @@
-// Pulls the surface of a part in the solid view: a line on it makes a pull, a line from its outline to its outline
-// moves that, and the knob of a pull is dragged out or in.
+// Pulls the surface of a part in the solid view: a line on it makes a pull and a ring a bump, a line from its outline
+// to its outline moves that, and the knob of a pull is dragged out or in.
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <cstddef>
 
 #include "web/edit/pulling.h"
 #include "web/tools/pick.h"
@@ -28,6 +27,8 @@ class PullTool final : public Tool {
   pipeline::PulledLine line_;  ///< as it lay
   PartId other_;               ///< a part that was pressed and is not in hand
   bool outline_ = false;       ///< the line is for the outline
+  double farthest_ = 0;        ///< from its beginning, CSS pixels
+  std::size_t copy_ = 0;       ///< of the part, which the line is on
   double reach_ = 0;           ///< of its ends, CSS pixels
 };
 

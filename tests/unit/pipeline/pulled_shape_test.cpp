@@ -98,6 +98,13 @@ TEST_CASE("the key of a shape follows every member of its pulls and their order"
   CHECK(changes([](pull::Pull& pull) { pull.to = {{1, 2, 3}}; }));
   CHECK(changes([](pull::Pull& pull) { pull.radius += 1e-9; }));
   CHECK(changes([](pull::Pull& pull) { pull.crease = true; }));
+  CHECK(changes([](pull::Pull& pull) { pull.ring = {{1, 2, 3}, {4, 5, 6}, {7, 8, 10}}; }));
+  CHECK(changes([](pull::Pull& pull) { pull.across = {{1, 2, 3}}; }));
+  pull::Pull first = kNose;
+  first.to = first.across = first.acrossTo = {{1, 2, 3}};
+  pull::Pull second = first;
+  second.acrossTo[0].x += 1e-9;
+  CHECK(keyOf(pulled(document, {first})) != keyOf(pulled(document, {second})));
 }
 
 TEST_CASE("what is kept of pulls changes nothing: a mesh made anew is the same") {

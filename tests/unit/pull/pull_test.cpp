@@ -11,57 +11,16 @@
 #include "engine/mesh/self_crossing.h"
 #include "engine/pull/pull.h"
 #include "tests/support/mesh_laws.h"
+#include "tests/support/pull_hosts.h"
 #include "tests/support/rounds.h"
 
 using namespace spineloft;
 using namespace spineloft::pull;
+using testing::at;
+using testing::box;
+using testing::reached;
 
 namespace {
-
-/// A box with a corner at the origin, each side as two triangles.
-mesh::TriMesh box(double width, double height, double depth) {
-  mesh::TriMesh mesh;
-  for (int i = 0; i < 8; ++i) {
-    mesh.positions.push_back({static_cast<float>((i & 1) ? width : 0), static_cast<float>((i & 2) ? height : 0),
-                              static_cast<float>((i & 4) ? depth : 0)});
-    mesh.uv.push_back({(i & 1) ? 1.0f : 0.0f, (i & 2) ? 0.0f : 1.0f});
-  }
-  mesh.triangles = {{4, 5, 7}, {4, 7, 6}, {0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
-/// A ring about the z axis: a circle of radius `small` at `large` from the axis.
-mesh::TriMesh ring(double large, double small, int around = 64, int across = 28) {
-  mesh::TriMesh mesh;
-  for (int i = 0; i < around; ++i) {
-    const double a = 2 * std::numbers::pi * i / around;
-    for (int k = 0; k < across; ++k) {
-      const double b = 2 * std::numbers::pi * k / across, r = large + small * std::cos(b);
-      mesh.positions.push_back({static_cast<float>(r * std::cos(a)), static_cast<float>(r * std::sin(a)),
-                                static_cast<float>(small * std::sin(b))});
-    }
-  }
-  const auto at = [&](int i, int k) { return static_cast<std::uint32_t>((i % around) * across + k % across); };
-  for (int i = 0; i < around; ++i) {
-    for (int k = 0; k < across; ++k) {
-      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-      mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-    }
-  }
-  return mesh;
-}
-
-ModelPoint at(const mesh::TriMesh& mesh, std::uint32_t vertex) {
-  const auto& p = mesh.positions[vertex];
-  return {p[0], p[1], p[2]};
-}
-
-Reach reached(const mesh::TriMesh& mesh, const Pull& pull) {
-  auto reach = reachOf(mesh, pull);
-  REQUIRE(reach.ok());
-  return std::move(reach).value();
-}
 
 mesh::TriMesh scaled(mesh::TriMesh mesh, float by) {
   for (auto& p : mesh.positions) p = {p[0] * by, p[1] * by, p[2] * by};
@@ -112,7 +71,7 @@ TEST_CASE("a flat piece pulled along its middle follows 1 - 3t^2 + 2t^3, a creas
 
 TEST_CASE("line and rim are cut in without a change of the surface, and nothing beyond the radius moves") {
   Rng rng(7);
-  const mesh::TriMesh host = ring(100, 32);
+  const mesh::TriMesh host = testing::torus(100, 32);
   const double volume = testing::requireLawful(host).volume;
   for (int round = 0; round < testing::rounds(60); ++round) {
     CAPTURE(round);
@@ -147,7 +106,7 @@ TEST_CASE("line and rim are cut in without a change of the surface, and nothing 
 }
 
 TEST_CASE("a pull of a solid that is twice as large is twice as large") {
-  const mesh::TriMesh host = ring(100, 32);
+  const mesh::TriMesh host = testing::torus(100, 32);
   const Pull small{{{132, 0, 0}, {120, 40, 20}}, 12, {}, 30, false};
   const Pull large{{{264, 0, 0}, {240, 80, 40}}, 24, {}, 60, false};
   mesh::TriMesh a, b;

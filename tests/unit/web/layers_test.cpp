@@ -6,7 +6,6 @@
 #include <string>
 
 #include "engine/geometry/polygon.h"
-#include "engine/io/share_text.h"
 #include "engine/mesh/laws.h"
 #include "tests/unit/web/rig.h"
 #include "web/edit/layers.h"
@@ -16,20 +15,8 @@ using test::Rig;
 
 namespace {
 
-bool works(Rig& rig, std::string_view id, const std::string& args = {}) {
-  const bool ok = rig.run(id, args).flag("ok") == true;
-  rig.settle();
-  return ok;
-}
-
-/// The document, from the text of a link.
-document::Document shown(Rig& rig) {
-  const app::Json answer = *app::Json::parse(rig.app->shareText("{}"));
-  REQUIRE(answer.text("text") != nullptr);
-  return io::readShareText(*answer.text("text")).value();
-}
 document::StackRecipe layersOf(Rig& rig) {
-  const document::Document document = shown(rig);
+  const document::Document document = rig.shared();
   REQUIRE_FALSE(document.parts.empty());
   REQUIRE(document::stackOf(*document.parts.back()) != nullptr);
   return *document::stackOf(*document.parts.back());
@@ -38,8 +25,8 @@ document::StackRecipe layersOf(Rig& rig) {
 /// A page with a sheet of paper and the tool in hand.
 struct Paper : Rig {
   explicit Paper(platform::CanvasSize size = {1200, 700, 1}) : Rig(size) {
-    REQUIRE(works(*this, "new-sketch", R"({"width": 400, "height": 300})"));
-    REQUIRE(works(*this, "layers"));
+    REQUIRE(works("new-sketch", R"({"width": 400, "height": 300})"));
+    REQUIRE(works("layers"));
   }
 
   app::Json sheet() { return *state().find("sheet"); }
@@ -87,9 +74,9 @@ TEST_CASE("one closed line on the sheet is a solid along the whole rail, of the 
   const double half = *rig.sheet().number("half");
   const auto outline = stack::outlineOf(recipe.planes[0].curves.at(0));
   for (const SectionPoint p : outline) CHECK(norm(p) == doctest::Approx(half / 2).epsilon(0.04));
-  REQUIRE(works(rig, "undo"));
+  REQUIRE(rig.works("undo"));
   CHECK(rig.parts() == 0);
-  REQUIRE(works(rig, "redo"));
+  REQUIRE(rig.works("redo"));
   CHECK(layersOf(rig) == recipe);
 }
 
@@ -153,14 +140,14 @@ TEST_CASE("the wheel above the sheet moves it, beside the sheet it zooms; a drag
 
 TEST_CASE("by keys and buttons alone: a circle, the sheet up, a square, a copy above it, and one layer less") {
   Paper rig;
-  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(rig.works("layer-circle"));
   for (int i = 0; i < 5; ++i) REQUIRE(rig.key("ArrowUp", "ArrowUp"));
   CHECK(rig.sheetAt() == doctest::Approx(0.5));
   REQUIRE(rig.key("ArrowDown", "ArrowDown", platform::kShift));
   CHECK(rig.sheetAt() == doctest::Approx(0.48));
-  REQUIRE(works(rig, "layer-square"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 1})"));
-  REQUIRE(works(rig, "layer-copy"));
+  REQUIRE(rig.works("layer-square"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 1})"));
+  REQUIRE(rig.works("layer-copy"));
   document::StackRecipe recipe = layersOf(rig);
   REQUIRE(recipe.planes.size() == 3);
   CHECK(recipe.planes[2].curves == recipe.planes[1].curves);
@@ -171,14 +158,14 @@ TEST_CASE("by keys and buttons alone: a circle, the sheet up, a square, a copy a
     return std::abs(geometry::signedArea(std::span<const SectionPoint>(outline)));
   };
   CHECK(area(recipe.planes[1].curves[0]) == doctest::Approx(area(recipe.planes[0].curves[0])).epsilon(0.01));
-  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(rig.works("layer-remove"));
   recipe = layersOf(rig);
   CHECK(recipe.planes.size() == 2);
   // With its last layer the part goes.
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0})"));
-  REQUIRE(works(rig, "layer-remove"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.48})"));
-  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0})"));
+  REQUIRE(rig.works("layer-remove"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.48})"));
+  REQUIRE(rig.works("layer-remove"));
   CHECK(rig.parts() == 0);
 }
 
@@ -195,12 +182,12 @@ TEST_CASE("a line that crosses a curve of its layer takes its place; one within 
 
 TEST_CASE("a sheet beyond the end makes the rail longer, and layers stay where they are") {
   Paper rig;
-  REQUIRE(works(rig, "layer-circle"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
-  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(rig.works("layer-circle"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
+  REQUIRE(rig.works("layer-circle"));
   const stack::Rail before = layersOf(rig).rail;
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 1.6})"));
-  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 1.6})"));
+  REQUIRE(rig.works("layer-circle"));
   const document::StackRecipe after = layersOf(rig);
   CHECK(stack::lengthOf(after.rail) == doctest::Approx(1.6 * stack::lengthOf(before)));
   REQUIRE(after.planes.size() == 3);
@@ -213,40 +200,40 @@ TEST_CASE("a sheet beyond the end makes the rail longer, and layers stay where t
 TEST_CASE("a layer is moved between its neighbours and never beyond them") {
   Paper rig;
   for (const char* at : {"0", "0.5", "1"}) {
-    REQUIRE(works(rig, "layer-sheet", std::string(R"({"at": )") + at + "}"));
-    REQUIRE(works(rig, "layer-circle"));
+    REQUIRE(rig.works("layer-sheet", std::string(R"({"at": )") + at + "}"));
+    REQUIRE(rig.works("layer-circle"));
   }
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
-  REQUIRE(works(rig, "layer-move", R"({"to": 0.7})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
+  REQUIRE(rig.works("layer-move", R"({"to": 0.7})"));
   CHECK(layersOf(rig).planes[1].at == doctest::Approx(0.7).epsilon(1e-3));
   CHECK(rig.sheetAt() == doctest::Approx(0.7).epsilon(1e-3));
-  REQUIRE(works(rig, "layer-move", R"({"to": 5})"));
+  REQUIRE(rig.works("layer-move", R"({"to": 5})"));
   CHECK(layersOf(rig).planes[1].at < 1);
   CHECK(layersOf(rig).planes[2].at == 1);
 }
 
 TEST_CASE("ends of layers are finished as those of bones") {
   Paper rig;
-  REQUIRE(works(rig, "layer-circle"));
-  REQUIRE(works(rig, "set-caps", R"({"end": "round"})"));
+  REQUIRE(rig.works("layer-circle"));
+  REQUIRE(rig.works("set-caps", R"({"end": "round"})"));
   CHECK(layersOf(rig).stack.endCap == sections::CapStyle::Round);
   CHECK(layersOf(rig).stack.startCap == sections::CapStyle::Flat);
-  REQUIRE(works(rig, "undo"));
+  REQUIRE(rig.works("undo"));
   CHECK(layersOf(rig).stack.endCap == sections::CapStyle::Flat);
 }
 
 TEST_CASE("what makes no layer is refused with a sentence and changes nothing") {
   Paper rig;
-  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(rig.works("layer-circle"));
   const std::string before = rig.app->history();
-  CHECK_FALSE(works(rig, "draw-layer", R"({"line": [[0, 0], [1, 1]]})"));
-  CHECK_FALSE(works(rig, "draw-layer", R"({"through": [[0, 0], [1, 1]]})"));
-  CHECK_FALSE(works(rig, "draw-layer", R"({"part": 9, "line": [[0, 0], [9, 0], [9, 9]]})"));
-  CHECK_FALSE(works(rig, "draw-layer", R"({"line": "round"})"));
-  CHECK_FALSE(works(rig, "layer-sheet", R"({"at": "up"})"));
+  CHECK_FALSE(rig.works("draw-layer", R"({"line": [[0, 0], [1, 1]]})"));
+  CHECK_FALSE(rig.works("draw-layer", R"({"through": [[0, 0], [1, 1]]})"));
+  CHECK_FALSE(rig.works("draw-layer", R"({"part": 9, "line": [[0, 0], [9, 0], [9, 9]]})"));
+  CHECK_FALSE(rig.works("draw-layer", R"({"line": "round"})"));
+  CHECK_FALSE(rig.works("layer-sheet", R"({"at": "up"})"));
   // A figure of eight.
-  CHECK_FALSE(works(rig, "draw-layer",
-                    R"({"at": 0.5, "through": [[-40, -30], [40, 30], [40, -30], [-40, 30]], "corners": true})"));
+  CHECK_FALSE(rig.works("draw-layer",
+                        R"({"at": 0.5, "through": [[-40, -30], [40, 30], [40, -30], [-40, 30]], "corners": true})"));
   CHECK(rig.app->history() == before);
 }
 
@@ -261,14 +248,14 @@ TEST_CASE("without the tool there is no sheet; a gesture that is cancelled leave
   rig.pointer(platform::PointerKind::Up, to.x, to.y);
   rig.settle();
   CHECK(rig.parts() == 0);
-  REQUIRE(works(rig, "draw"));
+  REQUIRE(rig.works("draw"));
   CHECK(rig.sheet().isNull());
-  CHECK_FALSE(works(rig, "layer-circle"));
+  CHECK_FALSE(rig.works("layer-circle"));
 }
 
 TEST_CASE("a line whose ends stay apart is a wall along it, as wide as the others; nearly closed ones still close") {
   Paper rig;
-  REQUIRE(works(rig, "draw-layer", R"({"line": [[-60, -20], [-30, -5], [0, 0], [30, -5], [60, -20]]})"));
+  REQUIRE(rig.works("draw-layer", R"({"line": [[-60, -20], [-30, -5], [0, 0], [30, -5], [60, -20]]})"));
   document::StackRecipe recipe = layersOf(rig);
   const stack::Curve wall = recipe.planes.at(0).curves.at(0);
   CHECK(wall.open);
@@ -278,9 +265,9 @@ TEST_CASE("a line whose ends stay apart is a wall along it, as wide as the other
   const auto made = pipeline::stackStage(recipe, {400, 300});
   REQUIRE(made.ok());
   CHECK(mesh::inspect(made.value().mesh).valid());
-  REQUIRE(works(rig, "layer-wall", R"({"width": 9})"));
+  REQUIRE(rig.works("layer-wall", R"({"width": 9})"));
   CHECK(layersOf(rig).planes[0].curves[0].width == doctest::Approx(9));
-  REQUIRE(works(rig, "draw-layer", R"({"line": [[-60, 40], [0, 40], [60, 41]]})"));
+  REQUIRE(rig.works("draw-layer", R"({"line": [[-60, 40], [0, 40], [60, 41]]})"));
   REQUIRE(layersOf(rig).planes[0].curves.size() == 2);
   CHECK(layersOf(rig).planes[0].curves[1].width == doctest::Approx(9));
   // Three quarters of a circle.
@@ -289,7 +276,7 @@ TEST_CASE("a line whose ends stay apart is a wall along it, as wide as the other
     const double angle = 1.5 * std::numbers::pi * i / 30;
     arc += ", [" + std::to_string(60 * std::cos(angle)) + ", " + std::to_string(60 * std::sin(angle)) + "]";
   }
-  REQUIRE(works(rig, "draw-layer", R"({"at": 0.5, "line": [)" + arc + "]}"));
+  REQUIRE(rig.works("draw-layer", R"({"at": 0.5, "line": [)" + arc + "]}"));
   CHECK_FALSE(layersOf(rig).planes.at(1).curves.at(0).open);
 }
 
@@ -310,8 +297,8 @@ std::vector<double> placesOf(const document::StackRecipe& recipe) {
 
 Paper& withThreeLayers(Paper& rig) {
   for (const char* at : {"0", "0.3", "1"}) {
-    REQUIRE(works(rig, "layer-sheet", std::string(R"({"at": )") + at + "}"));
-    REQUIRE(works(rig, at[0] == '0' && at[1] ? "layer-square" : "layer-circle"));
+    REQUIRE(rig.works("layer-sheet", std::string(R"({"at": )") + at + "}"));
+    REQUIRE(rig.works(at[0] == '0' && at[1] ? "layer-square" : "layer-circle"));
   }
   return rig;
 }
@@ -323,7 +310,7 @@ TEST_CASE("repeated layers stay where they are on a straight line, which grows b
   withThreeLayers(rig);
   const document::StackRecipe once = layersOf(rig);
   const std::vector<double> before = placesOf(once);
-  REQUIRE(works(rig, "layer-repeat", R"({"times": 4})"));
+  REQUIRE(rig.works("layer-repeat", R"({"times": 4})"));
   const document::StackRecipe repeated = layersOf(rig);
   REQUIRE(repeated.planes.size() == 3);
   const std::vector<double> places = placesOf(repeated);
@@ -335,46 +322,46 @@ TEST_CASE("repeated layers stay where they are on a straight line, which grows b
   const auto made = pipeline::stackStage(repeated, {400, 300});
   REQUIRE(made.ok());
   CHECK(mesh::inspect(made.value().mesh).valid());
-  REQUIRE(works(rig, "layer-repeat", R"({"times": 1})"));
+  REQUIRE(rig.works("layer-repeat", R"({"times": 1})"));
   const std::vector<double> again = placesOf(layersOf(rig));
   for (std::size_t i = 0; i < 3; ++i) CHECK(again.at(i) == doctest::Approx(before[i]).epsilon(1e-3));
-  CHECK_FALSE(works(rig, "layer-repeat", R"({"times": 0})"));
-  CHECK_FALSE(works(rig, "layer-repeat", R"({"times": 2.5})"));
+  CHECK_FALSE(rig.works("layer-repeat", R"({"times": 0})"));
+  CHECK_FALSE(rig.works("layer-repeat", R"({"times": 2.5})"));
 }
 
 TEST_CASE("among repeated layers a new one is repeated with them, and one that goes, goes everywhere") {
   Paper rig;
   withThreeLayers(rig);
-  REQUIRE(works(rig, "layer-repeat", R"({"times": 3})"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 9})"));
+  REQUIRE(rig.works("layer-repeat", R"({"times": 3})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 9})"));
   CHECK(rig.sheetAt() == doctest::Approx(layersOf(rig).planes.back().at).epsilon(1e-3));  // the end of the first run
   const double between = (layersOf(rig).planes[1].at + layersOf(rig).planes[2].at) / 2;
-  REQUIRE(works(rig, "layer-sheet", R"({"at": )" + std::to_string(between) + "}"));
-  REQUIRE(works(rig, "layer-circle"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": )" + std::to_string(between) + "}"));
+  REQUIRE(rig.works("layer-circle"));
   REQUIRE(layersOf(rig).planes.size() == 4);
   CHECK(layersOf(rig).stack.patterns.at(0).last == 3);
   CHECK(placesOf(layersOf(rig)).size() == 12);
-  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(rig.works("layer-remove"));
   CHECK(layersOf(rig).stack.patterns.at(0).last == 2);
   CHECK(placesOf(layersOf(rig)).size() == 9);
-  REQUIRE(works(rig, "undo"));
-  REQUIRE(works(rig, "undo"));
+  REQUIRE(rig.works("undo"));
+  REQUIRE(rig.works("undo"));
   CHECK(placesOf(layersOf(rig)).size() == 9);
 }
 
 TEST_CASE("a ring has its layers evenly all round, a spring along it, and both come back to a straight line") {
   Paper rig;
-  REQUIRE(works(rig, "layer-circle"));
-  REQUIRE(works(rig, "layer-rail", R"({"rail": "ring"})"));
+  REQUIRE(rig.works("layer-circle"));
+  REQUIRE(rig.works("layer-rail", R"({"rail": "ring"})"));
   const auto torus = pipeline::stackStage(layersOf(rig), {400, 300});
   REQUIRE(torus.ok());
   CHECK(mesh::inspect(torus.value().mesh).genus == 1);
-  REQUIRE(works(rig, "undo"));
-  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(rig.works("undo"));
+  REQUIRE(rig.works("layer-remove"));
   withThreeLayers(rig);
   for (const char* shape : {"ring", "spring", "across", "up"}) {
-    REQUIRE(works(rig, "layer-rail", std::string(R"({"rail": ")") + shape + "\"}"));
-    REQUIRE(works(rig, "layer-repeat", R"({"times": 2})"));
+    REQUIRE(rig.works("layer-rail", std::string(R"({"rail": ")") + shape + "\"}"));
+    REQUIRE(rig.works("layer-repeat", R"({"times": 2})"));
     const document::StackRecipe recipe = layersOf(rig);
     CHECK(recipe.rail.closed == (shape == std::string("ring")));
     const std::vector<double> places = placesOf(recipe);
@@ -383,24 +370,24 @@ TEST_CASE("a ring has its layers evenly all round, a spring along it, and both c
     const auto made = pipeline::stackStage(recipe, {400, 300});
     REQUIRE(made.ok());
     CHECK(mesh::inspect(made.value().mesh).valid());
-    REQUIRE(works(rig, "layer-repeat", R"({"times": 1})"));
+    REQUIRE(rig.works("layer-repeat", R"({"times": 1})"));
   }
-  CHECK_FALSE(works(rig, "layer-rail", R"({"rail": "knot"})"));
+  CHECK_FALSE(rig.works("layer-rail", R"({"rail": "knot"})"));
 }
 
 TEST_CASE("blend and bumps are set for all layers, in one step each, and what is out of range is refused") {
   Paper rig;
   withThreeLayers(rig);
   const double steps = *rig.state().number("undo");
-  REQUIRE(works(rig, "layer-blend", R"({"blend": "hold"})"));
+  REQUIRE(rig.works("layer-blend", R"({"blend": "hold"})"));
   for (const stack::Plane& plane : layersOf(rig).planes) CHECK(plane.blend.kind == sections::BlendKind::Hold);
-  REQUIRE(works(rig, "layer-bumps", R"({"amount": 3, "size": 20, "seed": 5})"));
+  REQUIRE(rig.works("layer-bumps", R"({"amount": 3, "size": 20, "seed": 5})"));
   CHECK(layersOf(rig).stack.rough == stack::Rough{3, 20, 5, false});
   CHECK(*rig.state().number("undo") == steps + 2);
   const std::string before = rig.app->history();
-  CHECK_FALSE(works(rig, "layer-blend", R"({"blend": "custom"})"));
-  CHECK_FALSE(works(rig, "layer-bumps", R"({"amount": 5000})"));
-  CHECK_FALSE(works(rig, "layer-wall", R"({"width": 4})"));
+  CHECK_FALSE(rig.works("layer-blend", R"({"blend": "custom"})"));
+  CHECK_FALSE(rig.works("layer-bumps", R"({"amount": 5000})"));
+  CHECK_FALSE(rig.works("layer-wall", R"({"width": 4})"));
   CHECK(rig.app->history() == before);
 }
 
@@ -410,7 +397,7 @@ namespace {
 struct Forked : Paper {
   explicit Forked(platform::CanvasSize size = {1200, 700, 1}) : Paper(size) {
     circle(0, 0, 0.4);
-    REQUIRE(works(*this, "layer-sheet", R"({"at": 0.8})"));
+    REQUIRE(works("layer-sheet", R"({"at": 0.8})"));
     circle(-0.5, 0, 0.25);
     circle(0.5, 0, 0.25);
   }
@@ -447,8 +434,8 @@ TEST_CASE("a tap on the dot of a link parts two curves, another one joins them, 
     CHECK(layersOf(rig).planes[0].links == std::vector<stack::CurveLink>{{0, 1, false}});
     tap();
     CHECK(rig.linked() == std::vector{true, true});
-    REQUIRE(works(rig, "undo"));
-    REQUIRE(works(rig, "undo"));
+    REQUIRE(rig.works("undo"));
+    REQUIRE(rig.works("undo"));
     CHECK(layersOf(rig).planes[0].links.empty());
     CHECK(rig.joints("forks").size() == 1);
   }
@@ -480,7 +467,7 @@ TEST_CASE("the knob of a fork moves it, the solid follows, and no step is kept u
 
 TEST_CASE("a line may begin on a dot that lies over the sheet") {
   Forked rig;
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.5})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
   const app::ClientPoint dot = rig.placeOf(rig.joints("links").at(0), "mark");
   for (int i = 0; i <= 40; ++i) {
     const double angle = 2 * std::numbers::pi * i / 40;
@@ -494,18 +481,18 @@ TEST_CASE("a line may begin on a dot that lies over the sheet") {
 
 TEST_CASE("what is said about links goes with the curves and layers that it is about") {
   Forked rig;
-  REQUIRE(works(rig, "layer-link", R"({"link": 0, "on": false})"));
+  REQUIRE(rig.works("layer-link", R"({"link": 0, "on": false})"));
   REQUIRE(layersOf(rig).planes[0].links.size() == 1);
   rig.circle(-0.55, 0, 0.25);  // over the first of the two
   const document::StackRecipe redrawn = layersOf(rig);
   REQUIRE(redrawn.planes[1].curves.size() == 2);
   CHECK(redrawn.planes[0].links.empty());
-  REQUIRE(works(rig, "layer-link", R"({"link": 1, "on": false})"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0.4})"));
+  REQUIRE(rig.works("layer-link", R"({"link": 1, "on": false})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.4})"));
   rig.circle(0, 0, 0.4);
   REQUIRE(layersOf(rig).planes.size() == 3);
   CHECK(layersOf(rig).planes[0].links.empty());  // another layer follows it now
-  REQUIRE(works(rig, "layer-remove"));
+  REQUIRE(rig.works("layer-remove"));
   CHECK(layersOf(rig).planes.size() == 2);
 }
 
@@ -514,12 +501,12 @@ TEST_CASE("links and forks by numbers: refusals say what to name") {
   const auto sentence = [&](std::string_view id, std::string_view args) { return *rig.run(id, args).text("sentence"); };
   CHECK(sentence("layer-link", R"({"link": 7})").find("the number of one of the sheet's") != std::string::npos);
   CHECK(sentence("layer-fork", R"({"at": 2})").find("0…1") != std::string::npos);
-  REQUIRE(works(rig, "layer-fork", R"({"at": 0.75})"));
+  REQUIRE(rig.works("layer-fork", R"({"at": 0.75})"));
   CHECK(layersOf(rig).planes[0].curves[0].forkAt == 0.75);
-  REQUIRE(works(rig, "layer-link", R"({"link": 0})"));
-  REQUIRE(works(rig, "layer-sheet", R"({"at": 0})"));
+  REQUIRE(rig.works("layer-link", R"({"link": 0})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0})"));
   CHECK_FALSE(rig.linked().empty());
   // Without any link there would be no solid: it stays as it is.
-  CHECK_FALSE(works(rig, "layer-link", R"({"link": 1, "on": false})"));
+  CHECK_FALSE(rig.works("layer-link", R"({"link": 1, "on": false})"));
   CHECK(rig.parts() == 1);
 }

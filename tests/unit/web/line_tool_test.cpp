@@ -28,17 +28,6 @@ struct Lines : Rig {
     CHECK(works("new-sketch", R"({"width": 1000, "height": 800})"));
     CHECK(works("lines"));
   }
-  bool works(std::string_view id, std::string_view args = {}) {
-    const bool ok = run(id, args).flag("ok") == true;
-    settle();
-    return ok;
-  }
-  std::string fault(std::string_view id, std::string_view args) {
-    const app::Json answer = run(id, args);
-    settle();
-    return answer.text("error") ? *answer.text("error") : std::string();
-  }
-  double undoSteps() { return *state().number("undo"); }
   /// Along picture points, as a hand draws. `button` 2: that of a pen.
   void draw(std::vector<PicturePoint> line, bool close = false, platform::Device device = {}, int button = 0) {
     if (close) line.push_back(line.front());

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "engine/io/share_text.h"
 #include "engine/mesh/laws.h"
 #include "tests/support/mesh_laws.h"
 #include "tests/unit/web/rig.h"
@@ -26,20 +25,10 @@ struct Boned : Rig {
     CHECK(works("puff-slice", R"({"slice":"round"})"));
     CHECK(works("bone"));
   }
-  bool works(std::string_view id, std::string_view args = {}) {
-    const bool ok = run(id, args).flag("ok") == true;
-    settle();
-    return ok;
-  }
   app::Json bones() { return *state().find("parts")->array()->back().find("bones"); }
   double number(std::string_view key) { return *bones().number(key); }
   std::size_t count(std::string_view key) { return bones().find(key)->array()->size(); }
-  double undo() { return *state().number("undo"); }
-  inflate::InflateParams params() {
-    const app::Json answer = *app::Json::parse(app->shareText("{}"));
-    const document::Document document = io::readShareText(*answer.text("text")).value();
-    return document::inflateOf(*document.parts.back())->inflate;
-  }
+  inflate::InflateParams params() { return document::inflateOf(*shared().parts.back())->inflate; }
   /// Places on the canvas of the handles of one kind.
   std::vector<app::ClientPoint> holds(std::string_view hold) {
     std::vector<app::ClientPoint> out;
@@ -98,7 +87,7 @@ TEST_CASE("a soft puff has no bones and says so; with a slice it has those of it
 TEST_CASE("a tap leaves a bone out, a tap where it was takes it back, each one step of undo") {
   for (const platform::Device device : {platform::Device::Mouse, platform::Device::Touch, platform::Device::Pen}) {
     Boned rig;
-    const double undo = rig.undo();
+    const double undo = rig.undoSteps();
     const auto tap = [&](app::ClientPoint p) {
       rig.pointer(platform::PointerKind::Down, p.x, p.y, device);
       rig.pointer(platform::PointerKind::Up, p.x, p.y, device);
@@ -107,11 +96,11 @@ TEST_CASE("a tap leaves a bone out, a tap where it was takes it back, each one s
     tap(rig.nearest("bone", 200, 200));
     CHECK(rig.count("branches") == 1);
     CHECK(rig.count("gone") == 1);
-    CHECK(rig.undo() == undo + 1);
+    CHECK(rig.undoSteps() == undo + 1);
     tap(rig.nearest("gone", 200, 200));
     CHECK(rig.count("branches") == 3);
     CHECK(rig.count("gone") == 0);
-    CHECK(rig.undo() == undo + 2);
+    CHECK(rig.undoSteps() == undo + 2);
     rig.run("undo");
     rig.settle();
     CHECK(rig.count("gone") == 1);
@@ -120,16 +109,16 @@ TEST_CASE("a tap leaves a bone out, a tap where it was takes it back, each one s
 
 TEST_CASE("an end follows the pen with the solid, as one step, and a second drag goes on with the same change") {
   Boned rig;
-  const double undo = rig.undo();
+  const double undo = rig.undoSteps();
   rig.drag(rig.nearest("node", 330, 90), rig.on(290, 80));
   CHECK(rig.middle > 100);
-  CHECK(rig.undo() == undo + 1);
+  CHECK(rig.undoSteps() == undo + 1);
   CHECK(rig.params().bones.move.size() == 1);
   const app::ClientPoint end = rig.nearest("node", 290, 80);
   CHECK(distance(end, rig.on(290, 80)) < 20);
   rig.drag(end, end + app::ClientPoint{10, 10});
   CHECK(rig.params().bones.move.size() == 1);
-  CHECK(rig.undo() == undo + 2);
+  CHECK(rig.undoSteps() == undo + 2);
   CHECK(rig.number("asleep") == 0);
   // Out of the shape it stays where it last could be.
   rig.drag(rig.nearest("node", 290, 80), rig.on(290, 10));
@@ -138,12 +127,12 @@ TEST_CASE("an end follows the pen with the solid, as one step, and a second drag
 
 TEST_CASE("a line from a bone is a new one, and a tap takes it away again; a line elsewhere is refused") {
   Boned rig({1200, 700, 1}, R"({"contours":[[[60,60],[340,60],[340,240],[60,240]]]})");
-  const double ends = rig.number("ends"), undo = rig.undo();
+  const double ends = rig.number("ends"), undo = rig.undoSteps();
   const app::ClientPoint bone = rig.nearest("bone", 200, 150);
   rig.drag(bone + app::ClientPoint{25, 0}, bone + app::ClientPoint{25, -80});
   CHECK(rig.middle > 100);
   CHECK(rig.number("ends") == ends + 1);
-  CHECK(rig.undo() == undo + 1);
+  CHECK(rig.undoSteps() == undo + 1);
   CHECK(rig.params().bones.add.size() == 1);
   const app::ClientPoint drawn = rig.nearest("bone", 215, 90);
   rig.pointer(platform::PointerKind::Down, drawn.x, drawn.y);
@@ -184,14 +173,14 @@ TEST_CASE("a knob that is pulled up makes the puff thicker there; pulled again i
 
 TEST_CASE("bones by keys: chosen one after the other, moved, made thicker, left out and taken back") {
   Boned rig;
-  const double undo = rig.undo();
+  const double undo = rig.undoSteps();
   CHECK(rig.key("Period", "."));
   CHECK(*rig.state().find("chosen")->number("boneHandle") == 0);
   CHECK(rig.host.said("End or fork 1 of 4"));
   CHECK(rig.key("ArrowLeft", "ArrowLeft"));
   CHECK(rig.key("ArrowLeft", "ArrowLeft"));
   CHECK(rig.params().bones.move.size() == 1);
-  CHECK(rig.undo() == undo + 1);
+  CHECK(rig.undoSteps() == undo + 1);
   const auto choose = [&](std::string_view hold) {
     for (int i = 0; i < 40; ++i) {
       rig.key("Period", ".");
@@ -242,7 +231,7 @@ TEST_CASE("bones are told as sliders and buttons to those who use no pointer, an
 
 TEST_CASE("a second slice stands at its place, is dragged along the bones, and takes another shape") {
   Boned rig;
-  const double undo = rig.undo();
+  const double undo = rig.undoSteps();
   CHECK(rig.works("slice-here", R"({"at":[100,90]})"));
   REQUIRE(rig.params().profile.slices.size() == 2);
   CHECK_FALSE(rig.params().profile.slices[0].at);
@@ -256,7 +245,7 @@ TEST_CASE("a second slice stands at its place, is dragged along the bones, and t
   rig.drag(hold, hold + app::ClientPoint{120, 0});
   CHECK(rig.middle > 100);
   CHECK(rig.params().profile.slices[1].at->x > 130);
-  CHECK(rig.undo() == undo + 3);
+  CHECK(rig.undoSteps() == undo + 3);
   // The other slice changes, this one stays.
   CHECK(rig.works("puff-slice", R"({"slice":"block"})"));
   CHECK(*(*rig.bones().find("slices")->array())[0].text("slice") == "block");
@@ -295,7 +284,7 @@ TEST_CASE("on a phone the handles of bones are told apart by a finger") {
 
 TEST_CASE("commands about bones by numbers say what is wrong and change nothing") {
   Boned rig;
-  const double undo = rig.undo();
+  const double undo = rig.undoSteps();
   for (const auto& [id, args, word] : {std::tuple{"drop-bone", R"({"at":[5,5]})", "No bone that can be left out"},
                                        {"add-bone", R"({"line":[[5,5],[9,9]]})", "begins on a bone"},
                                        {"move-bone", R"({"from":[330,90],"to":[330,290]})", "stay in the shape"},
@@ -309,5 +298,5 @@ TEST_CASE("commands about bones by numbers say what is wrong and change nothing"
     CHECK(answer.text("sentence") != nullptr);
     if (answer.text("sentence")) CHECK(answer.text("sentence")->find(word) != std::string::npos);
   }
-  CHECK(rig.undo() == undo);
+  CHECK(rig.undoSteps() == undo);
 }

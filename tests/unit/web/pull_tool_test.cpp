@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -24,17 +25,6 @@ struct Pulls : Rig {
     CHECK(works("home-view"));
     CHECK(works("pull"));
   }
-  bool works(std::string_view id, std::string_view args = {}) {
-    const bool ok = run(id, args).flag("ok") == true;
-    settle();
-    return ok;
-  }
-  std::string fault(std::string_view id, std::string_view args) {
-    const app::Json answer = run(id, args);
-    settle();
-    return answer.text("error") ? *answer.text("error") : std::string();
-  }
-  double undoSteps() { return *state().number("undo"); }
   app::Json::Array pulls() { return *state().find("parts")->array()->front().find("pulls")->array(); }
   double chosen() { return *state().find("chosen")->number("pull"); }
   Vec2<platform::CanvasSpace> knob(std::size_t i) {
@@ -65,6 +55,17 @@ struct Pulls : Rig {
       }
     }
     pointer(platform::PointerKind::Up, line.back().x, line.back().y);
+    settle();
+  }
+  /// 40 steps go all the way round.
+  void drawRing(Vec2<platform::CanvasSpace> centre, double radius, platform::Device device = {}, int steps = 39) {
+    const auto place = [&](int i) {
+      const double a = 2 * std::numbers::pi * i / 40;
+      return Vec2<platform::CanvasSpace>{centre.x + radius * std::cos(a), centre.y + radius * std::sin(a)};
+    };
+    pointer(platform::PointerKind::Down, place(0).x, place(0).y, device);
+    for (int i = 1; i <= steps; ++i) pointer(platform::PointerKind::Move, place(i).x, place(i).y, device);
+    pointer(platform::PointerKind::Up, place(steps).x, place(steps).y, device);
     settle();
   }
   bool isOnSolid(double x, double y) {
@@ -126,6 +127,97 @@ TEST_CASE("a line on the solid is pulled as a whole, and a gesture that is given
   page.key("Escape", "Escape");
   page.pointer(platform::PointerKind::Up, at.x + 50, at.y);
   page.settle();
+  CHECK(page.pulls().empty());
+}
+
+TEST_CASE("a ring on the solid makes a bump, whose knob is its height: mouse, finger, pen") {
+  for (const platform::Device device : kDevices) {
+    CAPTURE(static_cast<int>(device));
+    Pulls page;
+    const double steps = page.undoSteps();
+    page.drawRing(page.middle(), 60, device);
+    REQUIRE(page.pulls().size() == 1);
+    CHECK(page.undoSteps() == steps + 1);
+    CHECK(page.chosen() == 0);
+    CHECK(*page.pulls()[0].number("points") == 1);
+    CHECK(*page.pulls()[0].number("ring") > 20);
+    const double height = *page.pulls()[0].number("height");
+    CHECK(height > 5);
+    const auto at = page.knob(0);
+    page.drag(at, {at.x, at.y - 40}, device);
+    CHECK(*page.pulls()[0].number("height") > height + 20);
+    CHECK(page.undoSteps() == steps + 2);
+  }
+}
+
+TEST_CASE("a ring that is drawn beyond its beginning, or like a smile, is one with its top well within it") {
+  Pulls page;
+  page.drawRing(page.middle(), 60, {}, 46);
+  const auto at = page.middle();
+  std::vector<Vec2<platform::CanvasSpace>> smile;
+  for (int i = 0; i <= 20; ++i) {
+    const double a = 0.3 + (std::numbers::pi - 0.6) * i / 20;
+    smile.push_back({at.x + 90 * std::cos(a), at.y + 90 * std::sin(a)});
+  }
+  for (int i = 20; i >= 0; --i) {
+    const double a = 0.3 + (std::numbers::pi - 0.6) * i / 20;
+    smile.push_back({at.x + 90 * std::cos(a), at.y + 55 * std::sin(a) - 5});
+  }
+  page.draw(smile);
+  REQUIRE(page.pulls().size() == 2);
+  for (const app::Json& pull : page.pulls()) {
+    CHECK(*pull.number("ring") > 20);
+    CHECK(*pull.number("share") == 1);
+  }
+  // The overlap is left out: the ring is as round as its circle.
+  const pull::Pull round = page.shared().parts[0]->pulls.at(0);
+  ModelPoint centre;
+  for (const ModelPoint p : round.ring) centre += p / static_cast<double>(round.ring.size());
+  for (const ModelPoint p : round.ring) CHECK(distance(p, centre) > 0.85 * distance(round.ring[0], centre));
+}
+
+TEST_CASE("a tap that trembles makes a place, not a ring") {
+  Pulls page;
+  page.drawRing(page.middle(), 6, platform::Device::Touch);
+  REQUIRE(page.pulls().size() == 1);
+  CHECK(*page.pulls()[0].number("ring") == 0);
+}
+
+TEST_CASE("a line that does not come back, or crosses itself, or hardly leaves itself, is no ring") {
+  Pulls page;
+  const auto at = page.middle();
+  page.draw({{at.x - 60, at.y - 50},
+             {at.x + 60, at.y - 90},
+             {at.x + 60, at.y - 50},
+             {at.x - 30, at.y - 90},
+             {at.x - 58, at.y - 53}});
+  REQUIRE(page.pulls().size() == 1);
+  CHECK(*page.pulls()[0].number("ring") == 0);
+  CHECK(page.works("undo"));
+  page.draw({{at.x - 60, at.y}, {at.x, at.y - 60}, {at.x + 60, at.y}});
+  page.draw({{at.x - 60, at.y + 30}, {at.x + 60, at.y + 32}, {at.x - 55, at.y + 36}});
+  REQUIRE(page.pulls().size() == 2);
+  for (const app::Json& pull : page.pulls()) CHECK(*pull.number("ring") == 0);
+}
+
+TEST_CASE("keys make a bump in the middle of the view, make it wider, give it an edge, and take it away") {
+  Pulls page;
+  page.key("Enter", "Enter", platform::kShift);
+  REQUIRE(page.pulls().size() == 1);
+  const auto sizeNow = [&] {
+    const pull::Pull pull = page.shared().parts[0]->pulls.at(0);
+    double most = 0;
+    for (const ModelPoint p : pull.ring) most = std::max(most, distance(p, pull.ring[0]));
+    return most;
+  };
+  const double before = sizeNow();
+  page.key("BracketRight", "]");
+  CHECK(sizeNow() == doctest::Approx(1.25 * before).epsilon(0.02));
+  page.key("BracketLeft", "[");
+  CHECK(sizeNow() == doctest::Approx(before).epsilon(0.02));
+  page.key("KeyE", "e");
+  CHECK(page.pulls()[0].flag("crease") == true);
+  page.key("Delete", "Delete");
   CHECK(page.pulls().empty());
 }
 
@@ -212,7 +304,14 @@ TEST_CASE("programs pull by numbers, and are told what is wrong") {
   CHECK(*page.pulls()[0].number("to") == 2);
   CHECK(page.works("set-pull", R"({"pull": 0, "radius": 30, "crease": true})"));
   CHECK(*page.pulls()[0].number("radius") == 30);
-  CHECK(page.fault("pull", R"({"line": [[10, 10]]})") != "");  // beside the part
+  CHECK(page.works("pull", R"({"ring": [[460, 360], [540, 360], [540, 440], [460, 440]], "height": 12})"));
+  CHECK(*page.pulls()[1].number("ring") == 4);
+  CHECK(*page.pulls()[1].number("height") == 12);
+  CHECK(page.works("undo"));
+  CHECK(page.fault("pull", R"({"ring": [[460, 360], [540, 360]]})") != "");
+  CHECK(page.fault("pull", R"({"line": [[500, 400]], "across": [[500, 380], [500, 420]],
+                               "acrossTo": [[500, 380], [500, 420]]})") != "");  // without `to`
+  CHECK(page.fault("pull", R"({"line": [[10, 10]]})") != "");                    // beside the part
   CHECK(page.fault("pull", R"({"line": "across"})") != "");
   CHECK(page.fault("set-pull", R"({"pull": 3})") != "");
   CHECK(page.fault("set-pull", R"({"pull": 0, "radius": -1})") != "");

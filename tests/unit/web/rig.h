@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/io/share_text.h"
 #include "engine/vision/cut_out_numbers.h"
 #include "web/gl/null_renderer.h"
 #include "web/model/json.h"
@@ -140,6 +141,27 @@ class Rig {
   }
   app::Json state() { return *app::Json::parse(app->state()); }
   app::Json run(std::string_view id, std::string_view args = {}) { return *app::Json::parse(app->run(id, args)); }
+  /// Whether a command did what it was asked, with all that followed.
+  bool works(std::string_view id, std::string_view args = {}) {
+    const bool ok = run(id, args).flag("ok") == true;
+    settle();
+    return ok;
+  }
+  /// The name of what was wrong with a command; empty: nothing.
+  std::string fault(std::string_view id, std::string_view args) {
+    const app::Json answer = run(id, args);
+    settle();
+    return answer.text("error") ? *answer.text("error") : std::string();
+  }
+  double undoSteps() { return *state().number("undo"); }
+  /// The document, as the text of a link holds it.
+  document::Document shared() {
+    const app::Json answer = *app::Json::parse(app->shareText("{}"));
+    REQUIRE(answer.text("text") != nullptr);
+    const auto read = io::readShareText(*answer.text("text"));
+    REQUIRE(read.ok());
+    return read.value();
+  }
   std::size_t parts() { return state().find("parts")->array()->size(); }
 
   void pointer(platform::PointerKind kind, double x, double y, platform::Device device = {}, int id = 1,

@@ -24,12 +24,6 @@ struct Shapes : Rig {
     CHECK(works("new-sketch", R"({"width": 400, "height": 300})"));
     CHECK(works("shapes"));
   }
-  bool works(std::string_view id, std::string_view args = {}) {
-    const bool ok = run(id, args).flag("ok") == true;
-    settle();
-    return ok;
-  }
-  double undoSteps() { return *state().number("undo"); }
   static PicturePoint pointFrom(const app::Json& p) { return {*(*p.array())[0].number(), *(*p.array())[1].number()}; }
   static std::vector<PicturePoint> lineFrom(const app::Json& line) {
     std::vector<PicturePoint> out;
