@@ -3,6 +3,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace spineloft::pull {
 namespace {
@@ -54,61 +56,95 @@ std::vector<Eigen::Triplet<double, int>> laplacian(const Sheet& sheet, const Wei
   return entries;
 }
 
-}  // namespace
-
-bool spread(Sheet& sheet, Stiffness stiffness) {
-  const auto count = static_cast<Eigen::Index>(sheet.points.size());
-  const Weights weights = weightsOf(sheet);
-  // Free vertices first, the others behind them.
-  std::vector<int> column(sheet.points.size());
+// The energy of a sheet's displacement, in its free vertices: half of xᵀ energy x + xᵀ coupling (what is given).
+struct System {
+  std::vector<int> column;  // of every vertex: free ones first, the others behind them
   int free = 0;
+  Sparse energy, coupling;
+};
+
+System systemOf(const Sheet& sheet, const Weights& weights, Stiffness stiffness) {
+  const auto count = static_cast<Eigen::Index>(sheet.points.size());
+  System system;
+  system.column.resize(sheet.points.size());
   for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
-    if (sheet.roles[v] == Role::Free) column[v] = free++;
+    if (sheet.roles[v] == Role::Free) system.column[v] = system.free++;
   }
-  if (free == 0) return true;
-  Eigen::MatrixXd fixed = Eigen::MatrixXd::Zero(count - free, 3);
-  int other = free;
+  int other = system.free;
   for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
-    if (sheet.roles[v] == Role::Free) continue;
-    fixed.row(other - free) << sheet.moves[v].x, sheet.moves[v].y, sheet.moves[v].z;
-    column[v] = other++;
+    if (sheet.roles[v] != Role::Free) system.column[v] = other++;
   }
   std::vector<Eigen::Triplet<double, int>> toFree, toFixed;
   for (const auto& entry : laplacian(sheet, weights)) {
-    const int row = column[static_cast<std::size_t>(entry.row())], at = column[static_cast<std::size_t>(entry.col())];
-    if (at < free) {
+    const int row = system.column[static_cast<std::size_t>(entry.row())],
+              at = system.column[static_cast<std::size_t>(entry.col())];
+    if (at < system.free) {
       toFree.emplace_back(row, at, entry.value());
     } else {
-      toFixed.emplace_back(row, at - free, entry.value());
+      toFixed.emplace_back(row, at - system.free, entry.value());
     }
   }
-  Sparse freeColumns(count, free), fixedColumns(count, count - free);
+  Sparse freeColumns(count, system.free), fixedColumns(count, count - system.free);
   freeColumns.setFromTriplets(toFree.begin(), toFree.end());
   fixedColumns.setFromTriplets(toFixed.begin(), toFixed.end());
-  Sparse system;
-  Eigen::MatrixXd load;
   if (stiffness == Stiffness::AlongLines) {
-    system = freeColumns.topRows(free);
-    load = -(fixedColumns.topRows(free) * fixed);
-  } else {
-    Eigen::VectorXd rows(count);
-    // Of a rim vertex both the Laplacian and the area are those of the side that follows: nothing moves beyond.
-    for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
-      const bool counts = stiffness == Stiffness::Smooth || sheet.roles[v] != Role::Rim;
-      rows[column[v]] = counts ? 1 / std::max(weights.areas[v], 1e-12) : 0;
-    }
-    const Sparse weighted = Sparse(freeColumns.transpose()) * rows.asDiagonal();
-    system = weighted * freeColumns;
-    load = -(weighted * (fixedColumns * fixed));
+    system.energy = freeColumns.topRows(system.free);
+    system.coupling = fixedColumns.topRows(system.free);
+    return system;
   }
-  const Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor(system);
-  if (factor.info() != Eigen::Success) return false;
-  const Eigen::MatrixXd solved = factor.solve(load);
-  if (!solved.allFinite()) return false;
+  Eigen::VectorXd rows(count);
+  // Of a rim vertex both the Laplacian and the area are those of the side that follows: nothing moves beyond.
+  for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
+    const bool counts = stiffness == Stiffness::Smooth || sheet.roles[v] != Role::Rim;
+    rows[system.column[v]] = counts ? 1 / std::max(weights.areas[v], 1e-12) : 0;
+  }
+  const Sparse weighted = Sparse(freeColumns.transpose()) * rows.asDiagonal();
+  system.energy = weighted * freeColumns;
+  system.coupling = weighted * fixedColumns;
+  return system;
+}
+
+// None where there is no solution in doubles.
+std::optional<Eigen::MatrixXd> solved(const System& system, const Eigen::MatrixXd& load) {
+  const Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factor(system.energy);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  Eigen::MatrixXd out = factor.solve(load);
+  return out.allFinite() ? std::optional(std::move(out)) : std::nullopt;
+}
+
+}  // namespace
+
+bool spread(Sheet& sheet, Stiffness stiffness) {
+  const System system = systemOf(sheet, weightsOf(sheet), stiffness);
+  if (system.free == 0) return true;
+  Eigen::MatrixXd given = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sheet.points.size()) - system.free, 3);
+  for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
+    if (sheet.roles[v] != Role::Free)
+      given.row(system.column[v] - system.free) << sheet.moves[v].x, sheet.moves[v].y, sheet.moves[v].z;
+  }
+  const auto moves = solved(system, -(system.coupling * given));
+  if (!moves) return false;
   for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
     if (sheet.roles[v] != Role::Free) continue;
-    const auto row = solved.row(column[v]);
+    const auto row = moves->row(system.column[v]);
     sheet.moves[v] = {row[0], row[1], row[2]};
+  }
+  return true;
+}
+
+bool swell(Sheet& sheet, Stiffness stiffness, ModelPoint out) {
+  const Weights weights = weightsOf(sheet);
+  const System system = systemOf(sheet, weights, stiffness);
+  if (system.free == 0) return true;
+  Eigen::MatrixXd load(system.free, 1);
+  for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
+    if (sheet.roles[v] == Role::Free) load(system.column[v], 0) = weights.areas[v];
+  }
+  const auto heights = solved(system, load);
+  const double most = heights ? heights->maxCoeff() : 0;
+  if (!(most > 0)) return false;
+  for (std::size_t v = 0; v < sheet.roles.size(); ++v) {
+    if (sheet.roles[v] == Role::Free) sheet.moves[v] = out * ((*heights)(system.column[v], 0) / most);
   }
   return true;
 }

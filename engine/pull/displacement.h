@@ -32,5 +32,7 @@ enum class Stiffness : std::uint8_t {
 /// Fills in the moves of the free vertices: the least energy of the displacement, with cotangents and lumped areas.
 /// False where the system has no solution in doubles.
 bool spread(Sheet& sheet, Stiffness stiffness);
+/// The moves of a sheet without given vertices under an even pressure along `out`, the largest of them `out`.
+bool swell(Sheet& sheet, Stiffness stiffness, ModelPoint out);
 
 }  // namespace spineloft::pull

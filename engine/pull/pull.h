@@ -29,8 +29,9 @@ struct Reach {
 /// the paper on a surface); crease: minimises its gradient. Across a straight line on a plane the displacement is h·(1
 /// − 3t² + 2t³) and h·(1 − t), t = distance / radius. A radius that the whole mesh lies within is taken smaller.
 /// With a ring (a bump) the displacement is 0 there, and smooth over the line; crease: its slope at the ring is free.
-/// `mesh`: closed, with positions and triangles; uv is interpolated. Empty `moved`: nothing to move. Errors:
-/// OutOfMemory. Cost: that of a sparse factorisation over the vertices within the radius.
+/// Of a single place with a height, that of a plate under an even pressure: h·(1 − s²)² and h·(1 − s²)(3 − s²)/3 within
+/// a circle, s = distance / radius. `mesh`: closed, with positions and triangles; uv is interpolated. Empty `moved`:
+/// nothing to move. Errors: OutOfMemory. Cost: that of a sparse factorisation over the vertices within the radius.
 Result<Reach> reachOf(const mesh::TriMesh& mesh, const Pull& pull);
 
 /// Moves the mesh of a reach all of its way. Cost: that of a copy.

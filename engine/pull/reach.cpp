@@ -479,12 +479,14 @@ ModelPoint Reacher::moveAt(double place) const {
 }
 
 Reach Reacher::follow() {
+  const bool dome = ring_ && line_.size() == 1 && pull_.to.empty();  // no more is said of its shape than its height
+  const ModelPoint out = line_[across_ / 2].normal;
   Sheet sheet;
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> local(cut_.mesh().positions.size(), mesh::kNone);
   const auto own = [&](std::uint32_t v) {
     if (local[v] != mesh::kNone) return local[v];
-    const bool given = linePlace_[v] != kNoPlace && !(ring_ && rim_[v]);
+    const bool given = linePlace_[v] != kNoPlace && !(ring_ && (rim_[v] || dome));
     vertices.push_back(v);
     sheet.points.push_back(cut_.at(v));
     sheet.roles.push_back(given ? Sheet::Role::Given : rim_[v] ? Sheet::Role::Rim : Sheet::Role::Free);
@@ -498,7 +500,8 @@ Reach Reacher::follow() {
   }
   Reach reach;
   const Stiffness sharp = ring_ ? Stiffness::FreeAtRim : Stiffness::AlongLines;
-  if (spread(sheet, pull_.crease ? sharp : Stiffness::Smooth)) {
+  const Stiffness stiffness = pull_.crease ? sharp : Stiffness::Smooth;
+  if (dome ? swell(sheet, stiffness, out) : spread(sheet, stiffness)) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (sheet.roles[i] != Sheet::Role::Rim) reach.moved.push_back({vertices[i], sheet.moves[i]});
     }
@@ -509,7 +512,7 @@ Reach Reacher::follow() {
   }
   std::ranges::sort(reach.line, {}, [&](std::uint32_t v) { return linePlace_[v]; });
   for (const Place& sample : ringLine_) reach.ring.push_back(sample.at);
-  reach.out = line_[across_ / 2].normal;
+  reach.out = out;
   reach.mesh = cut_.take();
   return reach;
 }

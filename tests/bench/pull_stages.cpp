@@ -1,5 +1,9 @@
 #include "tests/bench/pull_stages.h"
 
+#include <cmath>
+#include <numbers>
+#include <string>
+
 #include "engine/pipeline/part_shape.h"
 #include "engine/pull/pull.h"
 #include "tests/bench/must.h"
@@ -21,6 +25,17 @@ void reportPullStages(Report& report) {
     pull::moveMesh(reach, pull, out);
   });
   report.stage("pull, pen up", 21, [&](int) { pull::pullMesh(reach, pull, out); });
+  for (const bool corner : {false, true}) {
+    pull::Pull bump{{{400, -400, 200}}, 40, {}, 60, corner};
+    for (int i = 0; i < 48; ++i) {
+      const double a = 2 * std::numbers::pi * i / 48;
+      bump.ring.push_back({400 + 60 * std::cos(a), -400 + 60 * std::sin(a), 200});
+    }
+    const std::string name = corner ? "bump with a corner" : "smooth bump";
+    report.stage(name + ", pen down", 21, [&](int) { reach = must(pull::reachOf(shape.mesh, bump)); });
+    report.value("vertices that follow a " + name, static_cast<double>(reach.moved.size()));
+    report.stage(name + ", pen up", 21, [&](int) { pull::pullMesh(reach, bump, out); });
+  }
 }
 
 }  // namespace spineloft::bench

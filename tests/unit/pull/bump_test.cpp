@@ -107,9 +107,9 @@ struct Star {
 
 TEST_SUITE_BEGIN("unit/pull");
 
-TEST_CASE("a round bump on a plane is a clamped plate under its top, with a corner a plate that is free to turn") {
+TEST_CASE("a round bump on a plane is a clamped plate under pressure, with a corner one that is free to turn there") {
   const mesh::TriMesh host = testing::box(400, 400, 60);
-  const double height = 60, radius = 100;
+  const double height = 30, radius = 100;
   for (const bool corner : {false, true}) {
     const Pull pull{{{200, 200, 60}}, height, {}, 40, corner, circle({200, 200, 60}, radius)};
     const Reach reach = reached(host, pull);
@@ -127,8 +127,7 @@ TEST_CASE("a round bump on a plane is a clamped plate under its top, with a corn
         continue;
       }
       ++within;
-      const double log = s > 0 ? s * s * std::log(s) : 0;
-      const double told = height * (corner ? 1 - s * s + log : 1 - s * s + 2 * log);
+      const double told = height * (1 - s * s) * (corner ? (3 - s * s) / 3 : 1 - s * s);
       off = std::max(off, std::abs(moved.z - 60 - told));
     }
     if (!corner) CHECK(steepest(reach, out) < 1.5 * std::numbers::pi / 180);
@@ -219,9 +218,10 @@ TEST_CASE("random bumps of a torus, out and in, are lawful, keep its handle, and
     CHECK(!mesh::selfCrossing(out));
     ++all;
     whole += share == 1;
-    REQUIRE(reach.line.size() == 1);
-    CHECK(distance(at(reach.mesh, reach.line[0]), at(out, reach.line[0])) ==
-          doctest::Approx(share * std::abs(pull.height)).epsilon(1e-4).scale(1));
+    double highest = 0;
+    for (std::uint32_t v = 0; v < out.positions.size(); ++v)
+      highest = std::max(highest, distance(at(reach.mesh, v), at(out, v)));
+    CHECK(highest == doctest::Approx(share * std::abs(pull.height)).epsilon(1e-4).scale(1));
   }
   CHECK(whole > 0.8 * all);
 }
