@@ -58,8 +58,8 @@ void main() {
   float rim = away * away * away;
   // Darker towards its outline, so that white stands out before paper.
   vec3 light = albedo * (ambient + diffuse) * (1.0 - 0.4 * rim) + vec3(shine) + vec3(0.05) * rim;
-  light = mix(light, 1.0 - 0.4 * exp(1.5 - 2.5 * light), step(0.6, light));  // white keeps its shading as well
   if (finish != 0) light = ball(n, plain);
+  light = mix(light, 1.0 - 0.4 * exp(1.5 - 2.5 * light), step(0.6, light));  // white keeps its shading as well
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);
   result = vec4(encode(clamp(light, 0.0, 1.0)), 1.0);
 }

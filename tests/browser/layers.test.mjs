@@ -140,7 +140,7 @@ test('a wall by an open line, and a ring of bumps, are chosen in the panel', () 
     await press(page, 'In steps');
     await run(page, 'layer-repeat', { times: 3 });
     await run(page, 'layer-bumps', { amount: 4, size: 30 });
-    await press(page, 'Other bumps');
+    await press(page, 'Other lumps');
     now = await state(page);
     assert.equal(now.parts[0].failure, null);
     assert.equal(now.undo, 8); // the paper, two lines, and five settings

@@ -336,7 +336,7 @@ constexpr std::array kTable = {
             .hint = "All layers once more, and once more", .enabled = kCanRepeat, .run = repeatRow},
     Command{.id = "layer-blend", .label = "From layer to layer", .icon = "spline", .group = "part", .argument = kBlend,
             .hint = "Layers become each other smoothly, straight or in steps", .enabled = kHasLayers, .run = blendRow},
-    Command{.id = "layer-bumps", .label = "Bumps", .icon = "waypoints", .group = "part", .argument = kAmount,
+    Command{.id = "layer-bumps", .label = "Lumps", .icon = "waypoints", .group = "part", .argument = kAmount,
             .hint = "An uneven surface, as of rock or bark", .enabled = kHasLayers, .run = bumpsRow},
     Command{.id = "layer-wall", .label = "Width of walls", .icon = "ruler", .group = "part", .argument = kWidth,
             .hint = "How wide open lines are", .enabled = kHasWalls, .run = wallRow},

@@ -155,8 +155,10 @@ Outcome widen(Env env, double factor) {
     sendStatus(env.host, words::tr("The next pull reaches {n} % of the part.", {{"n", std::round(100 * next)}}));
     return {};
   }
+  const PulledPart shown = pulledPart(env.studio.document(), env.studio.derived(), env.ui);
+  const double size = shown ? sizeOf(*shown.shape) : 0;
   return changeChosen(env, "widen", [&](pull::Pull& pull) {
-    if (!pull.ring.empty()) return widenBump(pull, factor);
+    if (!pull.ring.empty()) return widenBump(pull, factor, size);
     pull.radius = std::clamp(pull.radius * factor, pull::kLeastRadius, pull::kMostRadius);
   });
 }

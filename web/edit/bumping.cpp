@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
@@ -13,11 +14,14 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kUsualHeight = 0.6;  // of the radius
-constexpr double kOpen = 0.2;         // of its length: a ring's ends are not farther apart
-constexpr double kThin = 0.025;       // of its length squared: the area within; of a circle 0.08
+constexpr double kUsualHeight =
+    0.75;                        // of the radius: with an edge steep enough to be seen as one (mesh::kCreaseAngle)
+constexpr double kOpen = 0.2;    // of its length: a ring's ends are not farther apart
+constexpr double kThin = 0.012;  // of its length squared: the area within; of a circle 0.08, of a star 0.02
 constexpr std::size_t kRingPoints = 48;
 constexpr int kCells = 24;       // of the search for the deepest place, along each side
+constexpr double kWidest = 0.3;  // of the size of its part
+constexpr double kDeep = 0.8;    // of the depth of the deepest place: as good as that
 constexpr double kAbove = 0.05;  // of the radius: a top is looked for from so far on the other side
 constexpr int kCirclePoints = 32, kNarrower = 8;
 
@@ -47,23 +51,31 @@ class FlatRing {
 
   bool isSimple() const { return geometry::isSimple(corners_); }
 
-  /// The place within that is farthest from it, of a grid.
+  /// The middle of the places within that are farthest from it, of a grid; where that is not well within, as of a
+  /// crescent, one of them.
   ModelPoint deepest() const {
     SectionPoint low = corners_[0], high = low;
     for (const SectionPoint p : corners_) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    SectionPoint best;
-    double most = depth(best);
+    std::vector<std::pair<double, SectionPoint>> cells;
     for (int row = 0; row < kCells; ++row) {
       for (int column = 0; column < kCells; ++column) {
         const SectionPoint p{std::lerp(low.x, high.x, (column + 0.5) / kCells),
                              std::lerp(low.y, high.y, (row + 0.5) / kCells)};
-        // The middle of the ring, if it is nearly as deep: a circle's top is there.
-        if (depth(p) > most + 0.1 * std::abs(most)) best = p, most = depth(p);
+        cells.emplace_back(depth(p), p);
       }
     }
+    const auto [most, deep] = *std::ranges::max_element(cells, {}, &std::pair<double, SectionPoint>::first);
+    SectionPoint sum;
+    double count = 0;
+    for (const auto& [depthThere, p] : cells) {
+      if (depthThere < kDeep * most) continue;
+      sum += p;
+      ++count;
+    }
+    const SectionPoint middle = sum / count, best = depth(middle) > most / 2 ? middle : deep;
     return centre_ + u_ * best.x + v_ * best.y;
   }
 
@@ -127,8 +139,9 @@ pull::Pull usualBump(const EditOptions& options, const std::vector<ModelPoint>& 
   return bump;
 }
 
-void widenBump(pull::Pull& bump, double factor) {
-  const double radius = std::clamp(bump.radius * factor, pull::kLeastRadius, pull::kMostRadius);
+void widenBump(pull::Pull& bump, double factor, double size) {
+  const double most = std::max(bump.radius, kWidest * size);
+  const double radius = std::clamp(bump.radius * factor, pull::kLeastRadius, most);
   const double by = radius / bump.radius;
   const ModelPoint middle = FlatRing(bump.ring).centre();
   pull::eachPlace(bump, [&](ModelPoint& p) { p = middle + (p - middle) * by; });

@@ -86,21 +86,21 @@ class Settings {
              app::wallOf(shown()).value_or(*wall), [&](double value) { return app::withWalls(layers_, value); });
     }
     const stack::Rough rough = layers_.stack.rough, now = shown().stack.rough;
-    number({"##bumps", "Bumps", 0, std::max(0.1 * side_, rough.amount), mm_, "{n} mm", 1}, now.amount,
+    number({"##bumps", "Lumps", 0, std::max(0.1 * side_, rough.amount), mm_, "{n} mm", 1}, now.amount,
            [&](double value) {
              stack::Rough changed = rough;
              changed.amount = value;
              return app::withBumps(layers_, changed);
            });
     if (!(rough.amount > 0)) return;
-    number({"##bump-size", "Size of bumps", std::min(0.01 * side_, rough.size), std::max(0.4 * side_, rough.size), mm_,
+    number({"##bump-size", "Size of lumps", std::min(0.01 * side_, rough.size), std::max(0.4 * side_, rough.size), mm_,
             "{n} mm", 1},
            now.size, [&](double value) {
              stack::Rough changed = rough;
              changed.size = value;
              return app::withBumps(layers_, changed);
            });
-    if (textButton(env_, {"other-bumps", "Other bumps", false, true, buttonSide(env_), width_})) {
+    if (textButton(env_, {"other-bumps", "Other lumps", false, true, buttonSide(env_), width_})) {
       stack::Rough changed = rough;
       ++changed.seed;
       keep(app::withBumps(layers_, changed));

@@ -12,13 +12,15 @@
 namespace spineloft::tools {
 namespace {
 
-constexpr double kLeastRing = 16;   // CSS pixels from its beginning: what is smaller is a tap
+// CSS pixels from its beginning: what is smaller is a tap.
+constexpr double kLeastRing = 8, kLeastTouchRing = 16;
 constexpr double kOutlineEnds = 2;  // of the reach of a press: ends of a line are that near to the outline
 
 }  // namespace
 
 void PullTool::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
+  leastRing_ = event.touch() ? kLeastTouchRing : kLeastRing;
   const app::Hover under = pickInSolid(env, event);
   const app::PulledPart part = app::pulledPart(env.document, env.derived, env.ui);
   if (under.pull < 0) {
@@ -85,7 +87,7 @@ void PullTool::commit(const ToolEnv& env) {
     env.ui.preview.reset();
     env.sink.run(app::setPull, part, static_cast<std::size_t>(knob_), changed);
   } else if (knob_ < 0 && !line.empty()) {
-    const auto ring = farthest_ > kLeastRing ? app::ringOf(line) : std::nullopt;
+    const auto ring = farthest_ > leastRing_ ? app::ringOf(line) : std::nullopt;
     if (ring) {
       env.sink.run(app::drawBump, env.ui.selection, *ring);
     } else {

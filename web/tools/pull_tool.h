@@ -28,6 +28,7 @@ class PullTool final : public Tool {
   PartId other_;               ///< a part that was pressed and is not in hand
   bool outline_ = false;       ///< the line is for the outline
   double farthest_ = 0;        ///< from its beginning, CSS pixels
+  double leastRing_ = 0;       ///< a ring goes farther than that
   std::size_t copy_ = 0;       ///< of the part, which the line is on
   double reach_ = 0;           ///< of its ends, CSS pixels
 };

@@ -1,6 +1,7 @@
 // The tool Pull: lines on the solid, knobs by every pointer, keys and words.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -176,6 +177,36 @@ TEST_CASE("a ring that is drawn beyond its beginning, or like a smile, is one wi
   for (const ModelPoint p : round.ring) CHECK(distance(p, centre) > 0.85 * distance(round.ring[0], centre));
 }
 
+TEST_CASE("hearts and five-pointed stars are rings, and the knob of a heart is in its middle") {
+  for (const bool heart : {true, false}) {
+    Pulls page;
+    const auto at = page.middle();
+    std::vector<Vec2<platform::CanvasSpace>> line;
+    for (int i = 0; i <= 40; ++i) {
+      const double t = 2 * std::numbers::pi * (i % 40) / 40;
+      if (heart) {
+        const double x = 16 * std::pow(std::sin(t), 3),
+                     y = 13 * std::cos(t) - 5 * std::cos(2 * t) - 2 * std::cos(3 * t) - std::cos(4 * t);
+        line.push_back({at.x + 4 * x, at.y - 4 * y});
+      } else if (i % 4 == 0) {
+        const double reach = i % 8 == 0 ? 70 : 27;
+        line.push_back({at.x + reach * std::sin(t), at.y - reach * std::cos(t)});
+      }
+    }
+    page.draw(line);
+    REQUIRE(page.pulls().size() == 1);
+    CHECK(*page.pulls()[0].number("ring") > 20);
+    if (!heart) continue;
+    const pull::Pull drawn = page.shared().parts[0]->pulls.at(0);
+    double low = 1e9, high = -1e9;
+    for (const ModelPoint p : drawn.ring) {
+      low = std::min(low, p.x);
+      high = std::max(high, p.x);
+    }
+    CHECK(drawn.line[0].x == doctest::Approx((low + high) / 2).epsilon(0.02));
+  }
+}
+
 TEST_CASE("a tap that trembles makes a place, not a ring") {
   Pulls page;
   page.drawRing(page.middle(), 6, platform::Device::Touch);
@@ -215,6 +246,8 @@ TEST_CASE("keys make a bump in the middle of the view, make it wider, give it an
   CHECK(sizeNow() == doctest::Approx(1.25 * before).epsilon(0.02));
   page.key("BracketLeft", "[");
   CHECK(sizeNow() == doctest::Approx(before).epsilon(0.02));
+  for (int i = 0; i < 12; ++i) page.key("BracketRight", "]");
+  CHECK(sizeNow() < 500);  // the part is 400 wide
   page.key("KeyE", "e");
   CHECK(page.pulls()[0].flag("crease") == true);
   page.key("Delete", "Delete");
