@@ -34,7 +34,6 @@ struct Stiffness {
   std::vector<double> areas;  ///< a third of the triangles'
 };
 
-/// Cotangents and areas of the mesh as it is.
 Stiffness stiffnessOf(const TriMesh& mesh) {
   Stiffness out{std::vector<std::vector<Stiffness::Edge>>(mesh.positions.size()),
                 std::vector<double>(mesh.positions.size(), 0.0)};
@@ -59,21 +58,6 @@ Stiffness stiffnessOf(const TriMesh& mesh) {
     for (Stiffness::Edge& edge : own) edge.weight = std::max(edge.weight, kLeast);
   }
   return out;
-}
-
-/// The same edges with equal weights, and equal areas: of a mesh whose triangles are all alike.
-Stiffness evened(Stiffness stiffness, const std::vector<double>& ways, double reach) {
-  double sum = 0, count = 0;
-  for (std::size_t v = 0; v < ways.size(); ++v) {
-    if (!(ways[v] < reach)) continue;
-    sum += stiffness.areas[v];
-    ++count;
-  }
-  for (double& area : stiffness.areas) area = area > 0 && count > 0 ? sum / count : 0;
-  for (auto& own : stiffness.edges) {
-    for (Stiffness::Edge& edge : own) edge.weight = 1;
-  }
-  return stiffness;
 }
 
 /// The ways along edges from the crease, as far as `reach`; infinite beyond.
@@ -237,10 +221,11 @@ class Splitter {
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-/// Moves what is free to where the surface is fair, near to where it was `before`.
+/// Moves what is free to where the surface is fair.
 template <class Hold>
-void fair(TriMesh& mesh, const Stiffness& stiffness, const std::vector<std::array<float, 3>>& before,
-          const std::vector<double>& ways, const std::vector<std::uint32_t>& regions, double reach, const Hold& hold) {
+void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std::uint32_t>& regions, double reach,
+          const Hold& hold) {
+  const Stiffness stiffness = stiffnessOf(mesh);
   const std::vector<bool> rims = onRims(mesh, regions);
   std::vector<int> index(mesh.positions.size(), -1);
   std::vector<std::uint32_t> free;
@@ -282,8 +267,7 @@ void fair(TriMesh& mesh, const Stiffness& stiffness, const std::vector<std::arra
   for (std::size_t i = 0; i < free.size(); ++i) {
     const double pull = kPull * std::pow(ways[free[i]] / reach, 4) * stiffness.areas[free[i]] / std::pow(reach, 4);
     triplets.emplace_back(static_cast<int>(i), static_cast<int>(i), pull);
-    const auto& was = before[free[i]];
-    right.row(static_cast<Eigen::Index>(i)) += pull * Eigen::RowVector3d(was[0], was[1], was[2]);
+    right.row(static_cast<Eigen::Index>(i)) += pull * row(free[i]);
   }
   Sparse system(n, n);
   system.setFromTriplets(triplets.begin(), triplets.end());
@@ -315,12 +299,7 @@ std::vector<std::array<float, 3>> soften(TriMesh& mesh, std::vector<Crease> crea
   }
   std::vector<std::array<float, 3>> before = mesh.positions;
   for (const Crease& crease : creases) {
-    const std::vector<double> ways = waysFrom(mesh, crease.vertices, crease.reach);
-    const std::vector<std::array<float, 3>> own = mesh.positions;
-    const double reach = crease.reach;
-    // Triangles at a fork are thin, and their cotangents say little: first as if all were alike, which spreads them.
-    fair(mesh, evened(stiffnessOf(mesh), ways, reach), own, ways, regions, reach, hold);
-    fair(mesh, stiffnessOf(mesh), own, ways, regions, reach, hold);
+    fair(mesh, waysFrom(mesh, crease.vertices, crease.reach), regions, crease.reach, hold);
   }
   return before;
 }

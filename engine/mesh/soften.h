@@ -27,11 +27,11 @@ struct Crease {
 /// place back into it. New vertices are in the space of both their neighbours, or of the one that is not in 0.
 ///
 /// A crease takes in the sharp edges (25°) within spaces that it runs out into. For one after the other, what is within
-/// reach and not fixed minimises Σ |(L x)ᵢ|²/Mᵢ + Σ μⱼ |xⱼ − x⁰ⱼ|², μ = 400 (d/ρ)⁴ M/ρ⁴, d the way to the crease along
-/// edges and ρ the reach: first with equal weights and M, then with L the cotangent Laplacian of the mesh that this
-/// gave (weights ≥ 0.02) and M a third of its triangles' areas; the sum leaves out vertices on sharp edges (60°)
-/// between fixed ones, as of a flat end, over which nothing goes on smoothly. It does not look whether the surface goes
-/// through itself then (self_crossing.h). Cost: sparse Cholesky factorisations.
+/// reach and not fixed minimises Σ |(L x)ᵢ|²/Mᵢ + Σ μⱼ |xⱼ − x⁰ⱼ|², L the cotangent Laplacian of the mesh as it was
+/// (weights ≥ 0.02), M a third of the triangles' areas, μ = 400 (d/ρ)⁴ M/ρ⁴, d the way to the crease along edges and ρ
+/// the reach; the sum leaves out vertices on sharp edges (60°) between fixed ones, as of a flat end, over which nothing
+/// goes on smoothly. It does not look whether the surface goes through itself then (self_crossing.h). Cost: sparse
+/// Cholesky factorisations.
 std::vector<std::array<float, 3>> soften(TriMesh& mesh, std::vector<Crease> creases,
                                          std::vector<std::uint32_t>& regions,
                                          const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold = {});

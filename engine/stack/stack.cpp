@@ -431,43 +431,23 @@ struct Melting {
   std::vector<std::uint32_t> regions;  ///< see Builder
 };
 
-/// With rounded creases, less round near where the surface would go through itself otherwise. Curves that were drawn
-/// stay, and links in their spaces.
+/// With rounded creases, less round where the surface would go through itself or break a law otherwise. Curves that
+/// were drawn stay, and links in their spaces.
 mesh::TriMesh melted(const mesh::TriMesh& mesh, Melting melting, image::Size picture) {
-  constexpr int kTries = 24;
   const auto hold = [&](std::uint32_t region, ModelPoint p) {
     return region == 0 ? p : held(p, melting.spaces[region - 1].within);
   };
-  double reach = 0;
-  for (const mesh::Crease& crease : melting.creases) reach = std::max(reach, crease.reach);
   mesh::TriMesh round = mesh;
   const auto sharp = mesh::soften(round, std::move(melting.creases), melting.regions, hold);
   const std::vector<std::array<float, 3>> soft = round.positions;
-  std::vector<float> shares(soft.size(), 1.0f);  // of the way from sharp to soft
-  const auto lay = [&] {
+  for (const float share : {1.0f, 0.5f, 0.25f}) {
     for (std::size_t v = 0; v < soft.size(); ++v) {
       auto& p = round.positions[v];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (soft[v][k] != sharp[v][k]) p[k] = std::lerp(sharp[v][k], soft[v][k], shares[v]);
-      }
+      for (std::size_t k = 0; k < 3; ++k)
+        p[k] = soft[v][k] == sharp[v][k] ? p[k] : std::lerp(sharp[v][k], soft[v][k], share);
       if (v >= mesh.positions.size() || p != mesh.positions[v]) round.uv[v] = Skin::uvOf({p[0], p[1], p[2]}, picture);
     }
-    return mesh::selfCrossing(round);
-  };
-  for (int tries = 0; tries < kTries; ++tries) {
-    const auto crossing = lay();
-    if (!crossing && mesh::inspect(round).valid()) return round;
-    if (!crossing) break;
-    const ModelPoint there{(*crossing)[0], (*crossing)[1], (*crossing)[2]};
-    for (std::size_t v = 0; v < soft.size(); ++v) {
-      const auto& p = round.positions[v];
-      const double away = distance(there, ModelPoint{p[0], p[1], p[2]}) / reach;
-      if (away < 1) shares[v] *= static_cast<float>(0.5 + 0.5 * away * away);
-    }
-  }
-  for (const float share : {0.5f, 0.25f}) {
-    std::ranges::fill(shares, share);
-    if (!lay() && mesh::inspect(round).valid()) return round;
+    if (mesh::inspect(round).valid() && !mesh::selfCrossing(round)) return round;
   }
   return mesh;
 }
