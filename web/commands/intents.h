@@ -120,7 +120,7 @@ Outcome markCutOut(const CommandEnv& env, const std::vector<PicturePoint>& line,
 
 /// A pull along a line on the surface of a part, ModelSpace, as the tool is set; it is chosen.
 Outcome drawPull(const CommandEnv& env, PartId part, const std::vector<ModelPoint>& line);
-/// A bump within a ring on the surface of a part, ModelSpace, with its top in front of the ring's middle; it is chosen.
+/// A bump within a ring on the surface of a part, ModelSpace, with its top where the ring is widest; it is chosen.
 Outcome drawBump(const CommandEnv& env, PartId part, const std::vector<ModelPoint>& ring);
 /// The stretch of its visible outline beside a stroke, CSS pixels of the canvas, goes to the stroke; its ends are
 /// within `reach` of the outline.

@@ -213,18 +213,10 @@ Outcome bumpHere(Env env, const Json&) {
 
 // ---- what programs say ------------------------------------------------------------------------------------------
 
-/// Where the front of a part, `back`: its back, is at a place of the picture. None: beside the part.
-std::optional<ModelPoint> cast(const PulledPart& part, double x, double y, bool back) {
-  constexpr double kFar = 1e7;
-  const double way = back ? 1 : -1;
-  const ModelPoint eye{x, y, -way * kFar};
-  const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
-  return std::isfinite(far) ? std::optional(eye + ModelPoint{0, 0, way * far}) : std::nullopt;
-}
-
-/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the part. None: it is no such list, or
-/// a place is beside the part.
+/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the front of the part, `back`: onto
+/// its back. None: it is no such list, or a place is beside the part.
 std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const Json& list, bool back) {
+  constexpr double kFar = 1e7;
   if (list.array() == nullptr || list.array()->empty()) return std::nullopt;
   std::vector<ModelPoint> places;
   for (const Json& place : *list.array()) {
@@ -236,9 +228,11 @@ std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const 
       places.push_back({at[0], at[1], at[2]});
       continue;
     }
-    const auto front = cast(part, at[0], -at[1], back);
-    if (!front) return std::nullopt;
-    places.push_back(*front);
+    const double way = back ? 1 : -1;
+    const ModelPoint eye{at[0], -at[1], -way * kFar};
+    const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
+    if (!std::isfinite(far)) return std::nullopt;
+    places.push_back(eye + ModelPoint{0, 0, way * far});
   }
   return places;
 }

@@ -83,13 +83,9 @@ class FlatRing {
   SectionPoint flat(ModelPoint p) const { return {dot(p - centre_, u_), dot(p - centre_, v_)}; }
   double depth(SectionPoint p) const {
     double least = std::numeric_limits<double>::infinity();
-    bool within = false;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const SectionPoint a = corners_[i], b = corners_[(i + 1) % corners_.size()];
-      least = std::min(least, geometry::distanceToSegment(p, a, b));
-      if ((a.y > p.y) != (b.y > p.y) && p.x < std::lerp(a.x, b.x, (p.y - a.y) / (b.y - a.y))) within = !within;
-    }
-    return within ? least : -least;
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+      least = std::min(least, geometry::distanceToSegment(p, corners_[i], corners_[(i + 1) % corners_.size()]));
+    return geometry::holds(std::span<const SectionPoint>(corners_), p) ? least : -least;
   }
 
   ModelPoint centre_, normal_, u_, v_;

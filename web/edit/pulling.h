@@ -39,6 +39,7 @@ std::optional<PullKnob> pullKnob(const PulledPart& part, const UiState& ui, std:
 /// The number of the nearest knob within reach, CSS pixels: one that faces the eye, or the chosen one. −1: none.
 int pullKnobAt(const PulledPart& part, const UiState& ui, ClientPoint at, double reach);
 
+/// A place on a copy of a part, in ModelSpace.
 struct SurfacePlace {
   ModelPoint at;
   std::size_t copy = 0;  ///< of the part, which was hit
