@@ -31,6 +31,7 @@ const kArrows = {
   'engine/descriptive': ['engine/inflate'],
   'engine/shape': ['engine/loft'],
   'engine/pull': ['engine/mesh'],
+  'engine/bridge': ['engine/mesh'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -40,6 +41,7 @@ const kArrows = {
     'engine/stack',
     'engine/shape',
     'engine/pull',
+    'engine/bridge',
     'engine/descriptive',
     'engine/surface',
   ],

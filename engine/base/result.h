@@ -43,6 +43,11 @@ enum class Error {
   SectionInvalid,   ///< cross-section with fewer than 3 distinct points, or not finite
   StackInvalid,     ///< planes or curves of a stack that make no solid
   ShapeInvalid,     ///< outlines of a shape that make no solid
+  NotABridge,       ///< only for parts that are bridges
+  BridgeInvalid,    ///< rims between which there is no bridge
+  HostGone,         ///< a part that a bridge stands on is not there, or has no solid
+  HostIsBridge,     ///< a bridge that is to stand on a bridge
+  BridgeFollows,    ///< a bridge stands where its parts do, and nowhere else
   ViewInvalid,      ///< a picture as the side of one that is none it can be the side of
   MeshInvalid,      ///< a mesh given for export breaks a mesh law
   NothingToExport,  ///< no part to write

@@ -116,6 +116,18 @@ Json pullsOf(const Model& model, std::size_t number) {
   return pulls;
 }
 
+/// Where a bridge leaves its parts: ModelSpace.
+Json rimsOf(const Model& model, std::size_t number) {
+  Json rims = Json::array();
+  for (const bridge::Rim& rim : model.shape(number).rims) {
+    const auto& [points, centre, out] = rim;
+    double radius = 0;
+    for (const ModelPoint p : points) radius += distance(p, centre) / static_cast<double>(points.size());
+    rims.push_back({{"centre", {centre.x, centre.y, centre.z}}, {"radius", radius}, {"out", {out.x, out.y, out.z}}});
+  }
+  return rims;
+}
+
 std::string reportOf(const Model& model) {
   Json parts = Json::array(), times = Json::object();
   for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
@@ -138,7 +150,8 @@ std::string reportOf(const Model& model) {
                      {"triangles", made.triangles.size()},
                      {"ms", model.shape(i).ms.ribs + model.shape(i).ms.loft},
                      {"views", viewsOf(model, i)},
-                     {"pulls", pullsOf(model, i)}});
+                     {"pulls", pullsOf(model, i)},
+                     {"rims", rimsOf(model, i)}});
   }
   for (const auto& [name, value] : model.milliseconds) times[name] = value;
   return Json{{"parts", parts}, {"milliseconds", times}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

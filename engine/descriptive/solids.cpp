@@ -35,8 +35,7 @@ mesh::TriMesh facedMesh(const FacedSolid& solid, double depth, const DepthScale&
     const double x = scale.middle.x + corner.x * scale.size, y = scale.middle.y - corner.y * scale.size;
     out.positions.push_back(
         {static_cast<float>(x), static_cast<float>(-y), static_cast<float>((corner.z + depth) * scale.size)});
-    out.uv.push_back({static_cast<float>(std::clamp((x + 0.5) / board.width, 0.0, 1.0)),
-                      static_cast<float>(std::clamp((y + 0.5) / board.height, 0.0, 1.0))});
+    out.uv.push_back(mesh::frontUv(x, -y, {static_cast<double>(board.width), static_cast<double>(board.height)}));
   }
   for (const Wireframe::Face& face : solid.faces) {
     // In the face's own plane, so that it is counter-clockwise there.

@@ -143,6 +143,17 @@ struct SetSide {
   PartId part;
   std::optional<Outline> side;
 };
+/// A new bridge between two places of parts.
+struct DrawBridge {
+  BridgeEnd from, to;
+  bridge::BridgeParams bridge = {};
+  Look look = {};
+};
+/// Where a bridge stands.
+struct SetBridgeEnds {
+  PartId part;
+  BridgeEnd from, to;
+};
 /// A picture becomes the side of another one, or of none; outlines that thereby are in no view of their part go.
 struct SetView {
   PictureId picture;
@@ -239,6 +250,7 @@ struct ShowPart {
   PartId part;
   bool visible = true;
 };
+/// A part goes, and the bridges that stand on it.
 struct DeletePart {
   PartId part;
 };
@@ -335,7 +347,8 @@ using AnyAction =
                  OrderOperands, ReleaseStep, DeleteStep, RenameStep, ShowStep, SetStepLook, DrawRegion, RedrawRegion,
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
-                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide, SetPulls>;
+                 CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide, SetPulls,
+                 DrawBridge, SetBridgeEnds>;
 using Action = OneOf<AnyAction>;
 
 }  // namespace spineloft::document

@@ -86,6 +86,26 @@ Part copyOf(const Part& part, PartId id, const DuplicateParts& how) {
 
 using Copies = std::map<PartId, PartId>;  // by original
 
+/// A bridge is copied with the parts that it joins.
+bool isCopied(const Part& part, const std::vector<PartId>& asked) {
+  const auto isAsked = [&](PartId id) { return std::ranges::find(asked, id) != asked.end(); };
+  const BridgeRecipe* bridge = bridgeOf(part);
+  return isAsked(part.id) && (bridge == nullptr || (isAsked(bridge->from.part) && isAsked(bridge->to.part)));
+}
+
+/// Copies of bridges join the copies.
+void copyHosts(Parts& parts, const Copies& copies) {
+  for (const auto& [original, id] : copies) {
+    edit(*placeOf(parts, id), [&](Part& part) {
+      BridgeRecipe* bridge = bridgeOf(part);
+      if (bridge == nullptr) return;
+      part.placement = {};
+      bridge->from.part = copies.at(bridge->from.part);
+      bridge->to.part = copies.at(bridge->to.part);
+    });
+  }
+}
+
 /// The side that a plane across an axis of the world mirrors it to.
 OpeningSide mirroredSide(OpeningSide side, const MirrorPlane& over) {
   using enum OpeningSide;
@@ -158,7 +178,7 @@ Status arrange(Document& document, const PlaceParts& action) {
     const auto at = placeOf(document.parts, one.part);
     if ((*at)->placement == one.placement && (*at)->mirror == one.mirror) continue;
     edit(*at, [&](Part& part) {
-      part.placement = one.placement;
+      if (bridgeOf(part) == nullptr) part.placement = one.placement;
       part.mirror = one.mirror;
     });
   }
@@ -193,7 +213,7 @@ Status arrange(Document& document, const DuplicateParts& action) {
   for (const Box<Part>& box : document.parts) {
     flush(box->group);
     parts.push_back(box);
-    if (std::ranges::find(action.parts, box->id) == action.parts.end()) continue;
+    if (!isCopied(*box, action.parts)) continue;
     Part copy = copyOf(*box, PartId{++document.lastPartId}, action);
     made[box->id] = copy.id;
     if (!isValid(copy.placement) || (copy.mirror && !isValid(*copy.mirror))) {
@@ -210,6 +230,8 @@ Status arrange(Document& document, const DuplicateParts& action) {
     own->second.push_back(std::move(copy));
   }
   flush({});
+  if (made.empty()) return Error::BridgeFollows;
+  copyHosts(parts, made);
   std::vector<std::pair<PartId, PartId>> originals(made.begin(), made.end());
   // Solids are looked through before the copies stand between their parts.
   const Status solids = copySteps(document, made, action.over);

@@ -156,6 +156,19 @@ Status checkSide(const Document& document, const Recipe& recipe) {
   return checkOutline(document, front, **side);
 }
 
+Status checkBridge(const Document& document, const BridgeRecipe& recipe) {
+  if (findPicture(document, recipe.picture) == nullptr) return Error::NoSuchPicture;
+  if (!bridge::isValid(recipe.bridge)) return {Error::ValueOutOfRange, "bridge"};
+  for (const BridgeEnd* end : {&recipe.from, &recipe.to}) {
+    const bool many = end->rim.size() >= bridge::kLeastRimPoints && end->rim.size() <= bridge::kMostRimPoints;
+    const auto isNear = [](ModelPoint p) {
+      return isFinite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest;
+    };
+    if (!many || !std::ranges::all_of(end->rim, isNear)) return {Error::ValueOutOfRange, "rim"};
+  }
+  return Done{};
+}
+
 std::size_t dropUnseen(const Document& document, Recipe& recipe) {
   std::optional<Outline>* side = sideOf(recipe);
   if (side != nullptr && *side && !showsSide(document, (*side)->picture, pictureOf(recipe))) {
@@ -271,6 +284,7 @@ Status checkDrawn(const Document& document, const Recipe& recipe) {
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return checkStack(document, *stack);
   if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return checkShape(document, *shape);
   if (const auto* element = std::get_if<ElementRecipe>(&recipe)) return checkElement(document, *element);
+  if (const auto* bridge = std::get_if<BridgeRecipe>(&recipe)) return checkBridge(document, *bridge);
   if (const Region* region = regionOf(recipe)) return checkRegion(document, *region);
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? checkStroke(document, *loft) : Status(Error::NoSuchPart);

@@ -93,6 +93,7 @@ std::size_t heldBy(const ElementRecipe& recipe) {
   for (const LineOutline& outline : recipe.outlines) bytes += bytesOf(outline.runs);
   return bytes;
 }
+std::size_t heldBy(const BridgeRecipe& recipe) { return bytesOf(recipe.from.rim) + bytesOf(recipe.to.rim); }
 template <OfRegion Recipe>
 std::size_t heldBy(const Recipe& recipe) {
   return bytesOf(recipe.region);
@@ -130,7 +131,7 @@ std::size_t bytesBeyond(const PictureEntry* before, const PictureEntry& entry) {
 }
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(PartKind::kCount)> kKindKeys = {
-    "loft", "puff", "sheet", "lathe", "stack", "shape", "element"};
+    "loft", "puff", "sheet", "lathe", "stack", "shape", "element", "bridge"};
 
 }  // namespace
 
@@ -161,6 +162,8 @@ Recipe emptyRecipe(PartKind kind) {
       return ShapeRecipe{};
     case PartKind::Element:
       return ElementRecipe{};
+    case PartKind::Bridge:
+      return BridgeRecipe{};
     case PartKind::Loft:
     case PartKind::kCount:
       break;
@@ -215,6 +218,7 @@ PictureId pictureOf(const Recipe& recipe) {
   if (const auto* stack = std::get_if<StackRecipe>(&recipe)) return stack->picture;
   if (const auto* shape = std::get_if<ShapeRecipe>(&recipe)) return shape->picture;
   if (const auto* element = std::get_if<ElementRecipe>(&recipe)) return element->picture;
+  if (const auto* bridge = std::get_if<BridgeRecipe>(&recipe)) return bridge->picture;
   const auto* loft = std::get_if<LoftRecipe>(&recipe);
   return loft ? loft->picture : PictureId{};
 }
@@ -224,6 +228,7 @@ void setPicture(Recipe& recipe, PictureId picture) {
   if (auto* stack = std::get_if<StackRecipe>(&recipe)) stack->picture = picture;
   if (auto* shape = std::get_if<ShapeRecipe>(&recipe)) shape->picture = picture;
   if (auto* element = std::get_if<ElementRecipe>(&recipe)) element->picture = picture;
+  if (auto* bridge = std::get_if<BridgeRecipe>(&recipe)) bridge->picture = picture;
 }
 
 const PictureEntry* findPicture(const Document& document, PictureId id) {
@@ -246,6 +251,14 @@ const Group* findGroup(const Document& document, GroupId id) {
   return at == document.groups.end() ? nullptr : &*at;
 }
 
+std::vector<PartId> bridgesOn(const Document& document, PartId id) {
+  std::vector<PartId> bridges;
+  for (const Part& part : document.parts) {
+    const BridgeRecipe* bridge = bridgeOf(part);
+    if (bridge != nullptr && (bridge->from.part == id || bridge->to.part == id)) bridges.push_back(part.id);
+  }
+  return bridges;
+}
 std::vector<PartId> partsOfGroup(const Document& document, GroupId id) {
   std::vector<PartId> parts;
   for (const Part& part : document.parts) {

@@ -18,6 +18,7 @@
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/base/vec.h"
+#include "engine/bridge/bridge_params.h"
 #include "engine/document/drawing.h"
 #include "engine/document/look.h"
 #include "engine/document/placement.h"
@@ -150,10 +151,27 @@ struct ElementRecipe {
   bool operator==(const ElementRecipe&) const = default;
 };
 
+/// Where a bridge stands.
+struct BridgeEnd {
+  PartId part;                  ///< no bridge itself
+  std::vector<ModelPoint> rim;  ///< a closed line on it, in its ModelSpace; where the part is another one than when it
+                                ///< was drawn, the nearest places count
+  bool operator==(const BridgeEnd&) const = default;
+};
+
+/// Recipe of a bridge: a tube from one part to another, or to the same one. It stands where they do; its placement is
+/// at rest.
+struct BridgeRecipe {
+  PictureId picture;  ///< in whose space it stands
+  BridgeEnd from, to;
+  bridge::BridgeParams bridge;
+  bool operator==(const BridgeRecipe&) const = default;
+};
+
 /// Every way of making a part. PartKind counts the alternatives in this order.
-using AnyRecipe =
-    std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe, ElementRecipe>;
-enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, Element, kCount };
+using AnyRecipe = std::variant<LoftRecipe, InflateRecipe, ExtrudeRecipe, LatheRecipe, StackRecipe, ShapeRecipe,
+                               ElementRecipe, BridgeRecipe>;
+enum class PartKind : std::uint8_t { Loft, Inflate, Extrude, Lathe, Stack, Shape, Element, Bridge, kCount };
 static_assert(std::variant_size_v<AnyRecipe> == static_cast<std::size_t>(PartKind::kCount));
 using Recipe = OneOf<AnyRecipe>;
 bool operator==(const Recipe& a, const Recipe& b);
@@ -195,7 +213,7 @@ struct Document {
 
 inline PartKind kindOf(const Recipe& recipe) { return static_cast<PartKind>(recipe.index()); }
 inline PartKind kindOf(const Part& part) { return kindOf(part.recipe); }
-/// "loft", "puff", "sheet", "lathe", "stack", "shape", "element": in files and in the API.
+/// "loft", "puff", "sheet", "lathe", "stack", "shape", "element", "bridge": in files and in the API.
 std::string_view kindKey(PartKind kind);
 /// Error: none of them: kCount.
 PartKind kindFromKey(std::string_view key);
@@ -216,6 +234,8 @@ inline const ShapeRecipe* shapeOf(const Part& part) { return std::get_if<ShapeRe
 inline ShapeRecipe* shapeOf(Part& part) { return std::get_if<ShapeRecipe>(&part.recipe); }
 inline const ElementRecipe* elementOf(const Part& part) { return std::get_if<ElementRecipe>(&part.recipe); }
 inline ElementRecipe* elementOf(Part& part) { return std::get_if<ElementRecipe>(&part.recipe); }
+inline const BridgeRecipe* bridgeOf(const Part& part) { return std::get_if<BridgeRecipe>(&part.recipe); }
+inline BridgeRecipe* bridgeOf(Part& part) { return std::get_if<BridgeRecipe>(&part.recipe); }
 /// The loft that a part is, or an empty one for other kinds: for what is only looked at.
 const LoftRecipe& loftIn(const Part& part);
 /// The region of what is made of one, or null.
@@ -247,6 +267,8 @@ const PictureEntry* findPicture(const Document& document, PictureId id);
 const Part* findPart(const Document& document, PartId id);
 const Drawing* findDrawing(const Document& document, DrawingId id);
 const Group* findGroup(const Document& document, GroupId id);
+/// The bridges that stand on a part, in the order of the list.
+std::vector<PartId> bridgesOn(const Document& document, PartId id);
 /// In the order of the list.
 std::vector<PartId> partsOfGroup(const Document& document, GroupId id);
 

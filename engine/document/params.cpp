@@ -148,6 +148,18 @@ std::span<const ParamInfo> shapeTable() {
   return kTable;
 }
 
+std::span<const ParamInfo> bridgeTable() {
+  using bridge::BridgeParams;
+  constexpr auto kBridge = &BridgeRecipe::bridge;
+  static const std::array kTable = {
+      entry<BridgeRecipe, kBridge, &BridgeParams::waist>(
+          {"waist", "Middle", "times", bridge::kLeastWaist, bridge::kMostWaist, 0.05, Measure::Percent}),
+      entry<BridgeRecipe, kBridge, &BridgeParams::bow>(
+          {"bow", "Arch", "times", bridge::kLeastBow, bridge::kMostBow, 0.1, Measure::Percent}),
+  };
+  return kTable;
+}
+
 std::span<const ParamInfo> elementTable() {
   constexpr auto isRound = [](const Recipe& recipe) {
     return std::get<ElementRecipe>(recipe).kind == descriptive::PieceKind::Round;
@@ -184,6 +196,8 @@ std::span<const ParamInfo> paramTable(PartKind kind) {
       return shapeTable();
     case PartKind::Element:
       return elementTable();
+    case PartKind::Bridge:
+      return bridgeTable();
     case PartKind::Loft:
     case PartKind::kCount:
       break;

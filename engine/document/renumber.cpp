@@ -67,6 +67,10 @@ void renumber(Document& document) {
     setPicture(part.recipe, picture);
     if (ElementRecipe* element = elementOf(part)) drawings.to(element->drawing);
     for (Outline* outline : outlinesOf(part.recipe)) pictures.to(outline->picture);
+    if (BridgeRecipe* bridge = bridgeOf(part)) {
+      parts.to(bridge->from.part);
+      parts.to(bridge->to.part);
+    }
   });
   changeAll(document.steps, [&](Step& step) {
     steps.to(step.id);

@@ -233,6 +233,33 @@ struct Apply {
   Status operator()(const SetOutlines& a) const {
     return editShape(a.part, [&](ShapeRecipe& shape) { shape.outlines = a.outlines; });
   }
+  /// Error: NoSuchPart, HostIsBridge.
+  Status checkHosts(const BridgeRecipe& recipe) const {
+    for (const BridgeEnd* end : {&recipe.from, &recipe.to}) {
+      const Part* host = findPart(document, end->part);
+      if (host == nullptr) return Error::NoSuchPart;
+      if (bridgeOf(*host) != nullptr) return Error::HostIsBridge;
+    }
+    return checkBridge(document, recipe);
+  }
+  Status operator()(const DrawBridge& a) const {
+    if (Status room = roomForPart(document); !room) return room;
+    const Part* first = findPart(document, a.from.part);
+    if (first == nullptr) return Error::NoSuchPart;
+    BridgeRecipe recipe{pictureOf(*first), a.from, a.to, a.bridge};
+    if (Status drawn = checkHosts(recipe); !drawn) return drawn;
+    addPart(document, std::move(recipe), a.look);
+    return Done{};
+  }
+  Status operator()(const SetBridgeEnds& a) const {
+    return editPart(a.part, [&](Part& part) -> Status {
+      BridgeRecipe* bridge = bridgeOf(part);
+      if (bridge == nullptr) return Error::NotABridge;
+      bridge->from = a.from;
+      bridge->to = a.to;
+      return checkHosts(*bridge);
+    });
+  }
   Status operator()(const SetSide& a) const {
     return editPart(a.part, [&](Part& part) -> Status {
       std::optional<Outline>* side = sideOf(part.recipe);
@@ -402,7 +429,7 @@ Result<Document> update(const Document& document, const Action& action) {
   const Status status = std::visit(Apply{next}, action);
   if (!status) return status.failure();
   settleDrawings(document, next);
-  carryPulls(document, next);
+  carryLines(document, next);
   dropEmptyGroups(next);
   return next;
 }

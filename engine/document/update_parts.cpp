@@ -1,6 +1,7 @@
 #include "engine/document/update_parts.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,8 +21,10 @@ void addPart(Document& document, Recipe recipe, const Look& look) {
 }
 
 void erasePart(Document& document, PartId id) {
-  takeOut(document, {id, {}});
-  std::erase_if(document.parts, [&](const Part& part) { return part.id == id; });
+  std::vector<PartId> gone = bridgesOn(document, id);
+  gone.push_back(id);
+  for (const PartId one : gone) takeOut(document, {one, {}});
+  std::erase_if(document.parts, [&](const Part& part) { return std::ranges::count(gone, part.id) > 0; });
 }
 
 namespace {
@@ -65,15 +68,28 @@ std::optional<ModelPoint> shiftOf(const Document& document, const Recipe& before
 
 }  // namespace
 
-void carryPulls(const Document& before, Document& after) {
+void carryLines(const Document& before, Document& after) {
+  std::map<PartId, ModelPoint> shifts;
   for (Box<Part>& box : after.parts) {
-    const Part* was = box->pulls.empty() ? nullptr : findPart(before, box->id);
+    const Part* was = findPart(before, box->id);
     if (was == nullptr || was->recipe == box->recipe || was->pulls != box->pulls) continue;
     const auto by = shiftOf(after, was->recipe, box->recipe);
     if (!by) continue;
+    shifts[box->id] = *by;
+    if (box->pulls.empty()) continue;
     Part part = box;
     for (pull::Pull& pull : part.pulls) {
       pull::eachPlace(pull, [&](ModelPoint& p) { p += *by; });
+    }
+    box = std::move(part);
+  }
+  if (shifts.empty()) return;
+  for (Box<Part>& box : after.parts) {
+    if (bridgeOf(*box) == nullptr) continue;
+    Part part = box;
+    for (BridgeEnd* end : {&bridgeOf(part)->from, &bridgeOf(part)->to}) {
+      const auto at = shifts.find(end->part);
+      for (std::size_t i = 0; at != shifts.end() && i < end->rim.size(); ++i) end->rim[i] += at->second;
     }
     box = std::move(part);
   }

@@ -7,10 +7,10 @@ namespace spineloft::document {
 
 /// A new part at the end of the list, with the next id and a name of its own.
 void addPart(Document& document, Recipe recipe, const Look& look);
-/// A part goes, out of every step too.
+/// A part goes, out of every step too, and with it the bridges that stand on it.
 void erasePart(Document& document, PartId id);
-/// Pulls of parts that were moved as a whole in their picture go along.
-void carryPulls(const Document& before, Document& after);
+/// What lies on parts that were moved as a whole in their picture goes along: pulls, and the rims of bridges.
+void carryLines(const Document& before, Document& after);
 /// Error: ValueOutOfRange.
 Status roomForPart(const Document& document);
 

@@ -51,6 +51,7 @@ Turn turnTo(Vec3<Space> from, Vec3<Space> to) {
                    std::numbers::pi);
 }
 template Turn turnTo(Vec3<WorldSpace>, Vec3<WorldSpace>);
+template Turn turnTo(Vec3<ModelSpace>, Vec3<ModelSpace>);
 
 Turn after(const Turn& first, const Turn& then) { return normalized(product(then, first)); }
 

@@ -159,7 +159,9 @@ void mendRecipe(document::ShapeRecipe& recipe, ReadNotes& notes) {
   mend(isValid(recipe.shape), recipe.shape, {}, notes);
 }
 
-void mendRecipe(document::ElementRecipe&, ReadNotes&) {}  // all of it is in the table, or is checked
+// All of these is in the table, or is checked.
+void mendRecipe(document::ElementRecipe&, ReadNotes&) {}
+void mendRecipe(document::BridgeRecipe&, ReadNotes&) {}
 
 void mendRecipe(document::Recipe& recipe, ReadNotes& notes) {
   const document::PartKind kind = document::kindOf(recipe);
@@ -411,7 +413,8 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   if (auto* side = document::sideOf(part.recipe)) {
     mend(document::checkSide(document, part.recipe), *side, {}, reading.notes);
   }
-  mend(document::isValid(part.placement), part.placement, {}, reading.notes);
+  const bool follows = document::bridgeOf(part) != nullptr && !part.placement.isRest();
+  mend(!follows && document::isValid(part.placement), part.placement, {}, reading.notes);
   mendPulls(part.pulls, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   if (reading.notes != before) settleExtra(part, toJson(part), reading);

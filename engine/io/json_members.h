@@ -379,6 +379,22 @@ void members(V& v, T& value) {
   v("back", back);
   v("thickness", thickness);
 }
+template <class V, Is<document::BridgeEnd> T>
+void members(V& v, T& value) {
+  auto& [part, rim] = value;
+  v("part", part);
+  v("rim", rim);
+}
+template <class V, Is<document::BridgeRecipe> T>
+void members(V& v, T& value) {
+  auto& [picture, from, to, bridge] = value;
+  auto& [waist, bow] = bridge;
+  v("picture", picture);
+  v("from", from);
+  v("to", to);
+  v("waist", waist);
+  v("bow", bow);
+}
 template <class V, Is<document::PictureView> T>
 void members(V& v, T& value) {
   auto& [of, view] = value;

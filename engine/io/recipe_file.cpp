@@ -251,6 +251,9 @@ Result<Document> withPart(Json json, const RecipeInput& input) {
     return {Error::JsonInvalid,
             "a piece of a line drawing needs its lines: give a whole document with parts and drawings"};
   }
+  if (is(document::PartKind::Bridge)) {
+    return {Error::JsonInvalid, "a bridge needs the parts that it joins: give a whole document"};
+  }
   const bool isStack = is(document::PartKind::Stack), isShape = is(document::PartKind::Shape);
   const bool isRegion = kind != json.end() && !isStack && !isShape && !is(document::PartKind::Loft);
   // What says all about itself needs no photo.
@@ -345,6 +348,7 @@ Result<Document> wholeDocument(Json json, const RecipeInput& input) {
   completeList(json, "pictures", "lastPictureId");
   completeDrawings(json);
   completeList(json, "parts", "lastPartId");
+  if (json.contains("steps")) completeLast(json, json["steps"], "lastStepId");
   const PictureSource source = [&](std::uint64_t hash) {
     const auto own = std::ranges::find_if(input.pictures,
                                           [&](const auto& one) { return document::contentHash(*one.second) == hash; });

@@ -104,6 +104,11 @@ void keep(document::ShapeRecipe& recipe, const Grid& grid) {
 }
 /// Its lines are in its drawing.
 void keep(document::ElementRecipe&, const Grid&) {}
+void keep(document::BridgeRecipe& recipe, const Grid& grid) {
+  for (document::BridgeEnd* end : {&recipe.from, &recipe.to}) {
+    for (ModelPoint& p : end->rim) p = grid(p);
+  }
+}
 void keepPull(pull::Pull& pull, const Grid& grid) {
   pull::eachPlace(pull, [&](ModelPoint& p) { p = grid(p); });
   pull.height = grid(pull.height);

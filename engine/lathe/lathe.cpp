@@ -7,6 +7,7 @@
 
 #include "engine/geometry/triangulate.h"
 #include "engine/lathe/half_plane.h"
+#include "engine/mesh/front_uv.h"
 
 namespace spineloft::lathe {
 namespace {
@@ -58,8 +59,8 @@ class Turner {
     const SectionPoint around = around_[static_cast<std::size_t>(step)];
     const PicturePoint q = region_.axis.inPicture({p.x * around.x, p.y});
     mesh_.positions.push_back({static_cast<float>(q.x), static_cast<float>(-q.y), static_cast<float>(p.x * around.y)});
-    const double u = (q.x + 0.5) / picture_.width, v = (q.y + 0.5) / picture_.height;
-    mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
+    mesh_.uv.push_back(
+        mesh::frontUv(q.x, -q.y, {static_cast<double>(picture_.width), static_cast<double>(picture_.height)}));
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
   /// The ring of every corner. In a full turn the corners on the axis wait for the fans round them: each has its own

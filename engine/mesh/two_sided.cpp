@@ -11,8 +11,7 @@ class Builder {
 
   std::uint32_t add(SectionPoint p, double z) {
     mesh_.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(z)});
-    const double u = (p.x + 0.5) / picture_.width, v = (0.5 - p.y) / picture_.height;
-    mesh_.uv.push_back({static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))});
+    mesh_.uv.push_back(frontUv(p.x, p.y, picture_));
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
   void addTriangles(const Side& side, const std::vector<std::uint32_t>& index, bool reversed) {

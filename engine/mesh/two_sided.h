@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/geometry/refine.h"
+#include "engine/mesh/front_uv.h"
 #include "engine/mesh/tri_mesh.h"
 
 namespace spineloft::mesh {
@@ -20,9 +21,6 @@ struct Side {
 /// apart at all, positions are those of the front, then those of the back. Front must be above the back at every inner
 /// point. Plane coordinates become x and y; the picture of `width` × `height` pixels gives UV, its
 /// pixel centres at integers. `sizes`: corners of each outline of the rim.
-struct PictureSize {
-  double width = 0, height = 0;
-};
 TriMesh solidBetween(const Side& front, const Side& back, std::span<const std::size_t> sizes, PictureSize picture);
 
 }  // namespace spineloft::mesh

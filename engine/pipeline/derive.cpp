@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/document/pieces.h"
+#include "engine/pipeline/bridge_shape.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/outline_ink.h"
 #include "engine/pipeline/part_texture.h"
@@ -102,6 +103,23 @@ Status elementShape(const document::ElementRecipe& recipe, const Made& from, Cac
   return Done{};
 }
 
+// The shape of a host: the one that is known, or made now.
+Result<std::shared_ptr<const PartShape>> hostShape(const document::Document& document, const document::BridgeEnd& end,
+                                                   Cache& cache, const Clock& clock);
+
+// The shape of a bridge, of the parts that it stands on.
+Status bridgeShape(const document::BridgeRecipe& recipe, const document::Document& document, Cache& cache,
+                   PartShape& shape, const Clock& clock) {
+  const auto from = hostShape(document, recipe.from, cache, clock);
+  if (!from) return from.failure();
+  const auto to = hostShape(document, recipe.to, cache, clock);
+  if (!to) return to.failure();
+  Result<PartShape> made = bridgeStage(recipe, document, from.value()->mesh, to.value()->mesh, clock);
+  if (!made) return made.failure();
+  shape = std::move(made).value();
+  return Done{};
+}
+
 /// Rounding of forks takes most of the time: under a hand that moves it waits.
 Status stackShape(const document::StackRecipe& recipe, image::Size size, Purpose purpose, PartShape& shape,
                   const Clock& clock) {
@@ -140,6 +158,9 @@ Status frontShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& 
   }
   if (const auto* stack = std::get_if<document::StackRecipe>(&from.recipe)) {
     return stackShape(*stack, size, purpose, shape, clock);
+  }
+  if (const auto* bridge = std::get_if<document::BridgeRecipe>(&from.recipe)) {
+    return bridgeShape(*bridge, from.document, cache, shape, clock);
   }
   const auto* outlined = std::get_if<document::ShapeRecipe>(&from.recipe);
   Result<PartShape> made =
@@ -182,6 +203,31 @@ Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape
   made.ms.loft += nowMs(clock) - started;
   shape = std::move(made);
   return Done{};
+}
+
+Result<std::shared_ptr<const PartShape>> hostShape(const document::Document& document, const document::BridgeEnd& end,
+                                                   Cache& cache, const Clock& clock) {
+  const document::Part* host = hostOf(document, end);
+  if (host == nullptr) return Error::HostGone;
+  const document::PictureEntry& entry = *findPicture(document, pictureOf(*host));
+  const ShapeKey key = shapeKey(*host, entry, document);
+  if (auto known = cache.shape(key)) return known;
+  if (needsEdges(host->recipe) && !cache.edges(entry.contentHash)) return Error::HostGone;
+  PartShape shape;
+  const Made from{host->recipe, entry, document, host->id, host->pulls};
+  if (const Status made = shapeOf(from, cache, Purpose::Preview, shape, clock); !made.ok()) return Error::HostGone;
+  return std::make_shared<const PartShape>(std::move(shape));
+}
+
+// Whether it stands on a part whose edges are not known yet.
+bool waitsForHost(const document::Recipe& recipe, const document::Document& document, const Cache& cache) {
+  const auto* bridge = std::get_if<document::BridgeRecipe>(&recipe);
+  if (bridge == nullptr) return false;
+  return std::ranges::any_of(std::array{&bridge->from, &bridge->to}, [&](const document::BridgeEnd* end) {
+    const document::Part* host = hostOf(document, *end);
+    return host != nullptr && needsEdges(host->recipe) &&
+           !cache.edges(findPicture(document, pictureOf(*host))->contentHash);
+  });
 }
 
 }  // namespace
@@ -288,7 +334,8 @@ DerivedPart derivePart(const document::Document& document, const document::Part&
                        const document::PictureEntry& entry, Cache& cache, const Clock& clock) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
   const ShapeKey key = shapeKey(part, entry, document);
-  const bool known = !needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr;
+  const bool known = (!needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr) &&
+                     !waitsForHost(part.recipe, document, cache);
   result.shape = cache.shape(key);
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
@@ -323,10 +370,15 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     std::shared_ptr<const DrawingShape> shape = solved(plain.drawing, cache);
     derived.drawings.push_back({drawing.id, std::move(plain.pieces), std::move(shape)});
   }
-  for (const document::Part& part : document.parts) {
-    const document::PictureEntry* entry = findPicture(document, pictureOf(part));
-    derived.parts.push_back(entry ? derivePart(document, part, *entry, cache, clock)
-                                  : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false});
+  derived.parts.resize(document.parts.size());
+  for (const bool bridges : {false, true}) {  // which stand on the others
+    for (std::size_t i = 0; i < document.parts.size(); ++i) {
+      const document::Part& part = document.parts[i];
+      if ((bridgeOf(part) != nullptr) != bridges) continue;
+      const document::PictureEntry* entry = findPicture(document, pictureOf(part));
+      derived.parts[i] = entry ? derivePart(document, part, *entry, cache, clock)
+                               : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false};
+    }
   }
   for (std::size_t i = 0; i < derived.parts.size(); ++i) assignTexture(document, i, cache, finish, derived);
   cache.endRound(usedEdges);

@@ -5,6 +5,7 @@
 
 #include "engine/base/hash.h"
 #include "engine/inflate/interior.h"
+#include "engine/pipeline/bridge_shape.h"
 #include "engine/pipeline/drawing_shape.h"
 
 namespace spineloft::pipeline {
@@ -345,6 +346,35 @@ ShapeKey shapeKey(const document::ElementRecipe& recipe, const document::Picture
   Hasher hasher;
   hasher.text("element").number(entry.contentHash).number(drawingKey(piece.drawing).hash).number(piece.number);
   mix(hasher, coversOf(entry));
+  return ShapeKey{hasher.value()};
+}
+
+namespace {
+
+void mix(Hasher& hasher, const document::BridgeEnd& end, const document::Document& document) {
+  const auto& [part, rim] = end;
+  mix(hasher, rim);
+  const document::Part* host = hostOf(document, end);
+  hasher.number(host != nullptr);
+  if (host == nullptr) return;
+  const document::PictureEntry& entry = *findPicture(document, pictureOf(*host));
+  const auto& [pivot, move, turn, scale, mirrored] = host->placement;
+  hasher.number(shapeKey(*host, entry, document).hash).number(entry.size.width).number(entry.size.height);
+  mixAll(hasher, pivot.x, pivot.y, pivot.z, move.x, move.y, move.z, turn.w, turn.x, turn.y, turn.z, scale, mirrored);
+}
+
+}  // namespace
+
+ShapeKey shapeKey(const document::BridgeRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document) {
+  const auto& [picture, from, to, bridge] = recipe;
+  const auto& [waist, bow] = bridge;
+  Hasher hasher;
+  hasher.text("bridge").number(entry.contentHash).number(entry.size.width).number(entry.size.height);
+  mix(hasher, coversOf(entry));
+  mix(hasher, from, document);
+  mix(hasher, to, document);
+  mixAll(hasher, waist, bow);
   return ShapeKey{hasher.value()};
 }
 

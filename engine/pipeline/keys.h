@@ -54,6 +54,11 @@ ShapeKey shapeKey(const document::StackRecipe& recipe, const document::PictureEn
 ShapeKey shapeKey(const document::ShapeRecipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document);
 
+/// Of a bridge: the rims, the shapes and the places of the parts it stands on; those that it cannot stand on count as
+/// missing.
+ShapeKey shapeKey(const document::BridgeRecipe& recipe, const document::PictureEntry& entry,
+                  const document::Document& document);
+
 /// Of a piece of a line drawing: the picture, the whole drawing, and which piece it is. `part`: the one that it is, or
 /// whose place it takes; none: that of a piece with such outlines.
 ShapeKey shapeKey(const document::ElementRecipe& recipe, const document::PictureEntry& entry,

@@ -31,6 +31,12 @@ std::size_t bytesOf(const std::vector<PulledLine>& lines) {
   return bytes;
 }
 
+std::size_t bytesOf(const std::vector<bridge::Rim>& rims) {
+  std::size_t bytes = 0;
+  for (const bridge::Rim& rim : rims) bytes += sizeof(rim) + rim.points.size() * sizeof(ModelPoint);
+  return bytes;
+}
+
 // What may fail comes first, so that a failure leaves the shape as it was.
 Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, image::Size picture, const Clock& clock,
                  ShapeMemory& memory, PartShape& shape) {
@@ -51,6 +57,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   loft::centreLine(memory.posed, traced.spine.points.size(), shape.centreLine);
   shape.contours.clear();
   shape.pulled.clear();
+  shape.rims.clear();
   shape.mesh = memory.mesh;
   shape.texture.reset();
   shape.textureKey = shape.wantedTexture = {};
@@ -75,7 +82,8 @@ std::size_t bytesOf(const PartShape& shape) {
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
          bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
          bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) + bytes(shape.ways.links) +
-         bytesOf(shape.pulled) + bytes(shape.ways.forks) + (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
+         bytesOf(shape.pulled) + bytesOf(shape.rims) + bytes(shape.ways.forks) +
+         (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }
 
 std::size_t bytesOf(const std::vector<ribs::IgnoreMark>& marks) {

@@ -12,6 +12,7 @@
 #include "engine/base/progress.h"
 #include "engine/base/result.h"
 #include "engine/base/vec.h"
+#include "engine/bridge/bridge.h"
 #include "engine/document/document.h"
 #include "engine/image/edge_map.h"
 #include "engine/inflate/bone_edits.h"
@@ -70,6 +71,7 @@ struct PartShape {
   std::vector<inflate::EditedSkeleton> bones;       ///< one a piece of the region
   stack::Ways ways;                                 ///< of curves on planes: which becomes which
   std::vector<PulledLine> pulled;                   ///< one a pull of the part
+  std::vector<bridge::Rim> rims;                    ///< of a bridge: where it leaves its parts
   mesh::TriMesh mesh;                               ///< ModelSpace
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;

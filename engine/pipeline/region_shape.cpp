@@ -37,6 +37,7 @@ struct Make {
   Result<PartShape> operator()(const document::StackRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::ShapeRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::ElementRecipe&) const { return Error::NotARegion; }
+  Result<PartShape> operator()(const document::BridgeRecipe&) const { return Error::NotARegion; }
   Result<PartShape> operator()(const document::InflateRecipe& recipe) const {
     Result<geometry::Contours> contours = clean(recipe.region);
     if (!contours) return contours.failure();

@@ -29,29 +29,6 @@ std::uint32_t CutMesh::longest(std::uint32_t triangle) const {
   return best;
 }
 
-ModelPoint CutMesh::areaNormal(std::uint32_t triangle) const {
-  const auto& t = mesh_.triangles[triangle];
-  return cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
-}
-
-ModelPoint CutMesh::nearestOn(std::uint32_t triangle, ModelPoint p) const {
-  const auto& t = mesh_.triangles[triangle];
-  const std::array<ModelPoint, 3> corners{at(t[0]), at(t[1]), at(t[2])};
-  const ModelPoint normal = areaNormal(triangle);
-  const double area2 = dot(normal, normal);
-  bool inside = area2 > 0;
-  for (std::size_t i = 0; i < 3 && inside; ++i) {
-    inside = dot(cross(corners[(i + 1) % 3] - corners[i], p - corners[i]), normal) >= 0;
-  }
-  if (inside) return p - normal * (dot(p - corners[0], normal) / area2);
-  ModelPoint best = corners[0];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const ModelPoint on = geometry::nearestOnSegment(p, corners[i], corners[(i + 1) % 3]);
-    if (distance(on, p) < distance(best, p)) best = on;
-  }
-  return best;
-}
-
 std::uint32_t CutMesh::addVertex(std::uint32_t a, std::uint32_t b, double share) {
   const auto mixed = [&](const auto& values) {
     auto value = values[a];

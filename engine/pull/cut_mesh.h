@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/mesh/surface_places.h"
 #include "engine/mesh/topology.h"
 #include "engine/mesh/tri_mesh.h"
 
@@ -19,10 +20,7 @@ class CutMesh {
   const mesh::TriMesh& mesh() const { return mesh_; }
   mesh::TriMesh take() { return std::move(mesh_); }
   std::size_t triangles() const { return mesh_.triangles.size(); }
-  ModelPoint at(std::uint32_t vertex) const {
-    const auto& p = mesh_.positions[vertex];
-    return {p[0], p[1], p[2]};
-  }
+  ModelPoint at(std::uint32_t vertex) const { return mesh::modelPoint(mesh_, vertex); }
   std::uint32_t from(std::uint32_t half) const { return mesh::cornerVertex(mesh_, half); }
   std::uint32_t to(std::uint32_t half) const { return from(mesh::nextHalfEdge(half)); }
   /// mesh::kNone beyond a boundary.
@@ -31,9 +29,9 @@ class CutMesh {
   /// The longest edge of a triangle; of equally long ones always the same, whichever triangle asks.
   std::uint32_t longest(std::uint32_t triangle) const;
   /// Twice the area, along the normal.
-  ModelPoint areaNormal(std::uint32_t triangle) const;
+  ModelPoint areaNormal(std::uint32_t triangle) const { return mesh::areaNormal(mesh_, triangle); }
   /// The place of a triangle nearest to p.
-  ModelPoint nearestOn(std::uint32_t triangle, ModelPoint p) const;
+  ModelPoint nearestOn(std::uint32_t triangle, ModelPoint p) const { return mesh::nearestOn(mesh_, triangle, p); }
 
   /// A vertex on an edge, at `share` 0…1 of the way; both triangles become two. The first half of the edge keeps its
   /// half-edge. The new vertex; kNone where the edge has one triangle only.

@@ -15,7 +15,6 @@
 #include "engine/geometry/polyline.h"
 #include "engine/pull/cut_mesh.h"
 #include "engine/pull/displacement.h"
-#include "engine/pull/places.h"
 #include "engine/pull/pull.h"
 #include "engine/pull/ring.h"
 
@@ -43,7 +42,7 @@ class Reacher {
   Reacher(const mesh::TriMesh& mesh, const Pull& pull) : pull_(pull), cut_(mesh), radius_(pull.radius) {}
 
   Reach make() {
-    const Places places(cut_);
+    const mesh::SurfacePlaces places(cut_.mesh());
     if (!pull_.ring.empty() && !layRing(places)) return unmoved();
     if (!layLines(places)) return unmoved();
     if (ring_) {
@@ -64,8 +63,8 @@ class Reacher {
   }
 
  private:
-  bool layLines(const Places& places);
-  bool layRing(const Places& places);
+  bool layLines(const mesh::SurfacePlaces& places);
+  bool layRing(const mesh::SurfacePlaces& places);
   void limitRadius();
   void measure();
   void refine(double edge);
@@ -83,7 +82,7 @@ class Reacher {
   double depthAt(ModelPoint p) const { return ring_ ? ring_->depth(p) : radius_ - toLine(p); }
   void addDepths();
   void mark(std::uint32_t vertex, double place);
-  void insertEnd(const Place& sample, double place);
+  void insertEnd(const mesh::SurfacePlace& sample, double place);
   void cutSegment(std::size_t i, std::vector<std::uint32_t>& near);
   void cutEdge(std::uint32_t half, std::size_t i, ModelPoint side, std::vector<std::uint32_t>& near);
   std::vector<double> waysFrom(const std::vector<std::uint32_t>& sources) const;
@@ -92,8 +91,8 @@ class Reacher {
   const Pull& pull_;
   CutMesh cut_;
   double radius_, edge_ = 0;
-  std::vector<Place> line_, ringLine_;  // of the line and, behind it, of the one across
-  std::size_t across_ = 0;              // the first one of that
+  std::vector<mesh::SurfacePlace> line_, ringLine_;  // of the line and, behind it, of the one across
+  std::size_t across_ = 0;                           // the first one of that
   std::optional<Ring> ring_;
   std::vector<double> places_;       // arc length of every sample; both lines make one scale
   std::vector<double> depths_;       // of every vertex: how far within the rim it is; < 0: outside
@@ -122,7 +121,7 @@ std::vector<ModelPoint> finer(const std::vector<ModelPoint>& ring, double step) 
 }
 
 // Whether there is a surface to lay them on.
-bool Reacher::layLines(const Places& places) {
+bool Reacher::layLines(const mesh::SurfacePlaces& places) {
   const double step = ring_ ? edge_ : radius_ / kEdges, apart = 1e-3 * step;
   line_ = places.lay(spaced(pull_.line, step), apart);
   across_ = line_.size();
@@ -135,7 +134,7 @@ bool Reacher::layLines(const Places& places) {
 }
 
 // Whether there is room within the ring.
-bool Reacher::layRing(const Places& places) {
+bool Reacher::layRing(const mesh::SurfacePlaces& places) {
   std::vector<ModelPoint> closed = pull_.ring;
   closed.push_back(closed.front());
   const double step = geometry::arcLengths(std::span<const ModelPoint>(closed)).back() / kRingSamples;
@@ -143,7 +142,8 @@ bool Reacher::layRing(const Places& places) {
   ringLine_ = places.lay(finer(pull_.ring, step), 1e-3 * step);
   if (ringLine_.size() < 3) return false;
   std::vector<Ring::Corner> corners;
-  for (const Place& sample : ringLine_) corners.push_back({sample.at, places.meanNormal(sample.at, 1e-3 * step)});
+  for (const mesh::SurfacePlace& sample : ringLine_)
+    corners.push_back({sample.at, places.meanNormal(sample.at, 1e-3 * step)});
   ring_.emplace(corners);
   radius_ = 2 * ring_->area() / ring_->length();  // of a circle its own
   if (!(radius_ > kThinnest * ring_->length() && radius_ > kLeastRing)) return false;
@@ -176,7 +176,7 @@ void Reacher::addDepths() {
 
 void Reacher::measure() {
   ModelPoint low = line_.front().at, high = low;
-  for (const Place& sample : line_) {
+  for (const mesh::SurfacePlace& sample : line_) {
     low = {std::min(low.x, sample.at.x), std::min(low.y, sample.at.y), std::min(low.z, sample.at.z)};
     high = {std::max(high.x, sample.at.x), std::max(high.y, sample.at.y), std::max(high.z, sample.at.z)};
   }
@@ -197,7 +197,7 @@ bool Reacher::isNear(std::uint32_t triangle) const {
   }
   if (cut_.length(cut_.longest(triangle)) < 3 * edge_) return false;
   const double reach = ring_ ? edge_ : radius_;
-  const auto isClose = [&](const Place& sample) {
+  const auto isClose = [&](const mesh::SurfacePlace& sample) {
     return distance(cut_.nearestOn(triangle, sample.at), sample.at) < reach;
   };
   return std::ranges::any_of(line_, isClose) || std::ranges::any_of(ringLine_, isClose);
@@ -237,7 +237,7 @@ void Reacher::refine(double edge) {
     seen[triangle] = true;
   };
   open_.resize(cut_.triangles(), true);
-  for (const Place& sample : line_) add(sample.triangle);
+  for (const mesh::SurfacePlace& sample : line_) add(sample.triangle);
   while (!work.empty()) {
     const std::uint32_t t = work.back();
     const bool isClose = isNear(t);
@@ -273,7 +273,7 @@ void Reacher::closeDetours() {
   for (const std::uint32_t t : near_) {
     for (std::uint32_t half = 3 * t; half < 3 * t + 3; ++half) {
       const std::uint32_t v = cut_.from(half);
-      const bool faces = std::ranges::any_of(line_, [&](const Place& sample) {
+      const bool faces = std::ranges::any_of(line_, [&](const mesh::SurfacePlace& sample) {
         return distance(sample.at, cut_.at(v)) < coarse && dot(cut_.areaNormal(t), sample.face) > 0;
       });
       if (faces) sources.push_back(v);
@@ -285,7 +285,7 @@ void Reacher::closeDetours() {
     const double way = std::min({ways[corners[0]], ways[corners[1]], ways[corners[2]]});
     open_[t] = way <= kDetour * radius_ + coarse;
   }
-  for (Place& sample : line_) {  // the triangle that it lies in now
+  for (mesh::SurfacePlace& sample : line_) {  // the triangle that it lies in now
     double least = kFar;
     for (const std::uint32_t t : near_) {
       const double away = distance(cut_.nearestOn(t, sample.at), sample.at);
@@ -297,7 +297,7 @@ void Reacher::closeDetours() {
 
 void Reacher::findNormals() {
   const double reach = radius_ / 2;
-  for (Place& sample : line_) {
+  for (mesh::SurfacePlace& sample : line_) {
     ModelPoint sum = sample.face * (1e-9 * reach * reach);
     for (const std::uint32_t t : near_) {
       const std::uint32_t h = 3 * t;
@@ -318,7 +318,7 @@ void Reacher::mark(std::uint32_t vertex, double place) {
   depths_[vertex] = depthAt(cut_.at(vertex));
 }
 
-void Reacher::insertEnd(const Place& sample, double place) {
+void Reacher::insertEnd(const mesh::SurfacePlace& sample, double place) {
   std::uint32_t best = near_.front();
   double least = kFar;
   for (const std::uint32_t t : near_) {
@@ -467,7 +467,7 @@ ModelPoint Reacher::moveAt(double place) const {
   const std::size_t first = second ? across_ : 0, last = (second ? line_.size() : across_) - 1;
   std::size_t i = first;
   while (i + 1 < last && places_[i + 1] < place) ++i;
-  const Place &a = line_[i], &b = line_[std::min(i + 1, last)];
+  const mesh::SurfacePlace &a = line_[i], &b = line_[std::min(i + 1, last)];
   const double step = distance(a.at, b.at), t = step > 0 ? (place - places_[i]) / step : 0;
   const std::span<const ModelPoint> to(second ? pull_.acrossTo : pull_.to);
   if (to.empty()) return normalized(lerp(a.normal, b.normal, t));
@@ -511,7 +511,7 @@ Reach Reacher::follow() {
     if (linePlace_[v] != kNoPlace && linePlace_[v] <= end) reach.line.push_back(v);
   }
   std::ranges::sort(reach.line, {}, [&](std::uint32_t v) { return linePlace_[v]; });
-  for (const Place& sample : ringLine_) reach.ring.push_back(sample.at);
+  for (const mesh::SurfacePlace& sample : ringLine_) reach.ring.push_back(sample.at);
   reach.out = out;
   reach.mesh = cut_.take();
   return reach;

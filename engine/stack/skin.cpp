@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/geometry/triangulate.h"
+#include "engine/mesh/front_uv.h"
 
 namespace spineloft::stack {
 
@@ -13,8 +14,7 @@ std::uint32_t Skin::vertex(ModelPoint p) {
 }
 
 std::array<float, 2> Skin::uvOf(ModelPoint p, image::Size picture) {
-  const double u = (p.x + 0.5) / picture.width, v = (0.5 - p.y) / picture.height;
-  return {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))};
+  return mesh::frontUv(p.x, p.y, {static_cast<double>(picture.width), static_cast<double>(picture.height)});
 }
 
 ModelPoint Skin::at(std::uint32_t v) const {

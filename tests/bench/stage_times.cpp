@@ -22,6 +22,7 @@
 #include "engine/pipeline/derive.h"
 #include "engine/pipeline/silhouette.h"
 #include "engine/vision/edges.h"
+#include "tests/bench/bridge_stages.h"
 #include "tests/bench/drawing_stages.h"
 #include "tests/bench/layer_stages.h"
 #include "tests/bench/must.h"
@@ -196,6 +197,9 @@ int main(int count, char** words) {
   } else if (count == 2 && std::string(words[1]) == "--pulls") {
     bench::Report report;
     bench::reportPullStages(report);
+  } else if (count == 2 && std::string(words[1]) == "--bridges") {
+    bench::Report report;
+    bench::reportBridgeStages(report);
   } else if (count == 2 && std::string(words[1]) == "--workers") {
     bench::Report report;
     bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
@@ -203,8 +207,8 @@ int main(int count, char** words) {
     printStageTimes();
   } else {
     std::cerr
-        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --pulls, --workers, --programs "
-           "and a number, or --ribs and a case folder\n";
+        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --pulls, --bridges, --workers, "
+           "--programs and a number, or --ribs and a case folder\n";
     return 2;
   }
   return 0;

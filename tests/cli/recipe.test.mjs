@@ -29,6 +29,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'ball-from-two-circles',
     'bones-of-outlines',
     'box',
+    'bridges',
     'castle-wall',
     'creature-of-lines',
     'crossed-pipes',

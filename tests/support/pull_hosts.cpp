@@ -20,6 +20,35 @@ mesh::TriMesh box(double width, double height, double depth) {
   return mesh;
 }
 
+mesh::TriMesh ball(ModelPoint centre, double radius, int rings) {
+  mesh::TriMesh out;
+  const int around = 2 * rings;
+  const auto add = [&](double level, double turn) {
+    const double down = std::numbers::pi * level / rings, side = 2 * std::numbers::pi * turn / around;
+    const ModelPoint p =
+        centre + ModelPoint{std::sin(down) * std::cos(side), std::cos(down), -std::sin(down) * std::sin(side)} * radius;
+    out.positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  };
+  add(0, 0);
+  for (int level = 1; level < rings; ++level) {
+    for (int i = 0; i < around; ++i) add(level, i);
+  }
+  add(rings, 0);
+  const auto last = static_cast<std::uint32_t>(out.positions.size() - 1);
+  const auto corner = [&](int level, int i) {
+    if (level == 0) return 0u;
+    return level == rings ? last : static_cast<std::uint32_t>(1 + (level - 1) * around + i % around);
+  };
+  for (int level = 0; level < rings; ++level) {
+    for (int i = 0; i < around; ++i) {
+      if (level > 0) out.triangles.push_back({corner(level, i), corner(level + 1, i), corner(level, i + 1)});
+      if (level < rings - 1)
+        out.triangles.push_back({corner(level, i + 1), corner(level + 1, i), corner(level + 1, i + 1)});
+    }
+  }
+  return out;
+}
+
 mesh::TriMesh torus(double large, double small, int around, int across) {
   mesh::TriMesh mesh;
   for (int i = 0; i < around; ++i) {

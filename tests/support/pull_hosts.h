@@ -1,4 +1,4 @@
-// Meshes to pull.
+// Meshes to pull, and for bridges to stand on.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,8 @@ namespace spineloft::testing {
 
 /// A box with a corner at the origin, each side as two triangles.
 mesh::TriMesh box(double width, double height, double depth);
+/// A ball: `rings` levels from pole to pole along y, twice as many corners around.
+mesh::TriMesh ball(ModelPoint centre, double radius, int rings = 32);
 /// A ring about the z axis: a circle of radius `small` at `large` from the axis.
 mesh::TriMesh torus(double large, double small, int around = 64, int across = 28);
 

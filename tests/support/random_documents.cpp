@@ -341,6 +341,26 @@ struct Make<SetPulls> {
     return set;
   }
 };
+BridgeEnd anyBridgeEnd(Rng& rng, const Document& d) {
+  BridgeEnd end{anyPart(rng, d), {}};
+  const ModelPoint middle{rng.uniform(10, 80), rng.uniform(-80, -10), rng.uniform(-20, 20)};
+  const double radius = rng.uniform(1, 12);
+  for (int i = 0; i < 6; ++i) end.rim.push_back(middle + ModelPoint{radius * std::cos(i), radius * std::sin(i), 0});
+  if (rng.below(8) == 0) end.rim.resize(2);
+  return end;
+}
+template <>
+struct Make<DrawBridge> {
+  static DrawBridge from(Rng& rng, const Document& d) {
+    return {anyBridgeEnd(rng, d), anyBridgeEnd(rng, d), {rng.uniform(0.05, 1), rng.uniform(0.2, 4)}, {}};
+  }
+};
+template <>
+struct Make<SetBridgeEnds> {
+  static SetBridgeEnds from(Rng& rng, const Document& d) {
+    return {anyPartOf(rng, d, PartKind::Bridge), anyBridgeEnd(rng, d), anyBridgeEnd(rng, d)};
+  }
+};
 template <>
 struct Make<SetView> {
   static SetView from(Rng& rng, const Document& d) {

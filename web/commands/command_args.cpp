@@ -1,9 +1,11 @@
 #include "web/commands/command_args.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "web/commands/command_actions.h"
+#include "web/edit/picker.h"
 
 namespace spineloft::app {
 namespace {
@@ -42,6 +44,19 @@ std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_
 std::optional<PicturePoint> pointOf(const Json& args, std::string_view key) {
   const Json* value = args.find(key);
   return value ? pairOf(*value) : std::nullopt;
+}
+
+std::optional<ModelPoint> placeOf(const mesh::TriMesh& mesh, const Json& place, bool back) {
+  constexpr double kFar = 1e7;
+  const Json::Array* numbers = place.array();
+  if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3) return std::nullopt;
+  std::array<double, 3> at{};
+  for (std::size_t i = 0; i < numbers->size(); ++i) at[i] = (*numbers)[i].number().value_or(NAN);
+  if (numbers->size() == 3) return ModelPoint{at[0], at[1], at[2]};
+  const double way = back ? 1 : -1;
+  const ModelPoint eye{at[0], -at[1], -way * kFar};
+  const double far = firstHitOf(mesh, eye, {0, 0, way});
+  return std::isfinite(far) ? std::optional(eye + ModelPoint{0, 0, way * far}) : std::nullopt;
 }
 
 std::optional<PicturePoint> nudgeOf(const Json& args) {

@@ -7,6 +7,7 @@
 
 #include "engine/base/ids.h"
 #include "engine/geometry/along.h"
+#include "engine/mesh/tri_mesh.h"
 #include "engine/ribs/edit/edit_gestures.h"
 #include "web/commands/commands.h"
 
@@ -24,6 +25,9 @@ Outcome noSpine(const CommandEnv& env, const Json& args);
 std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_view key = "stroke");
 /// [x, y] under `key`.
 std::optional<PicturePoint> pointOf(const Json& args, std::string_view key);
+/// A place of a part: [x, y, z] of its space, or [x, y] of the picture, which is cast onto the front of its mesh,
+/// `back`: onto its back. None: it is neither, or beside the mesh.
+std::optional<ModelPoint> placeOf(const mesh::TriMesh& mesh, const Json& place, bool back);
 /// [[place, value], …] under `key`.
 std::optional<geometry::AlongCurve> curveOf(const Json& args, std::string_view key);
 /// `rib` and `side` ("left" or "right").

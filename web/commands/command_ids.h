@@ -11,7 +11,8 @@ namespace spineloft::app {
 // clang-format off
 inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "add-bone", "add-outline-point", "add-rib", "add-slice", "along-shape", "ask-place", "behind", "bend-spine",
-    "bone", "bone-height", "both-sides", "brush-larger", "brush-smaller", "bump-here", "cancel", "check-print", "choose-handle",
+    "bone", "bone-height", "both-sides", "bridge", "bridge-narrower", "bridge-wider", "brush-larger", "brush-smaller",
+    "bump-here", "cancel", "check-print", "choose-handle",
     "choose-rib", "clear", "clear-ignored", "close-line", "coil", "colour-step", "cut", "cut-add", "cut-by-box",
     "cut-by-scribble", "cut-cancel", "cut-mark", "cut-out", "cut-remove", "cut-start", "cut-use", "delete-line",
     "delete-model", "delete-outline-point", "delete-part", "delete-rib", "delete-slice", "delete-step",

@@ -105,12 +105,12 @@ void writeDrawings(JsonWriter& json, const CommandEnv& env) {
   }
   json.endArray().key("bridges").beginArray();
   const LineMarks marks = lineMarks(document, derived, env.ui);
-  const std::vector<Bridge> bridges =
-      marks.bridges.empty() ? std::vector<Bridge>{} : bridgesOn(document, derived, env.ui.picture);
-  for (std::size_t i = 0; i < std::min(bridges.size(), marks.bridges.size()); ++i) {
-    json.beginObject().key("over").number(bridges[i].over.value).key("under").number(bridges[i].under.value);
-    json.key("guessed").flag(bridges[i].guessed);
-    writePlace(json, "at", marks.bridges[i].x, marks.bridges[i].y);
+  const std::vector<Crossing> crossings =
+      marks.crossings.empty() ? std::vector<Crossing>{} : crossingsOn(document, derived, env.ui.picture);
+  for (std::size_t i = 0; i < std::min(crossings.size(), marks.crossings.size()); ++i) {
+    json.beginObject().key("over").number(crossings[i].over.value).key("under").number(crossings[i].under.value);
+    json.key("guessed").flag(crossings[i].guessed);
+    writePlace(json, "at", marks.crossings[i].x, marks.crossings[i].y);
     json.endObject();
   }
   json.endArray().key("lineEnds").beginArray();

@@ -128,6 +128,15 @@ Outcome redrawSeenOutline(const CommandEnv& env, PartId part, const std::vector<
 /// Another value for one of its pulls; says where it cannot go all the way.
 Outcome setPull(const CommandEnv& env, PartId part, std::size_t number, const pull::Pull& pull);
 
+// ---- Bridges ----------------------------------------------------------------------------------------------------
+
+/// A new bridge, in one solid with the parts that it joins.
+Outcome drawBridge(const CommandEnv& env, const document::BridgeRecipe& recipe);
+/// A bridge ended beside the parts: says what to do.
+Outcome refuseBridge(const CommandEnv& env);
+/// An end of a bridge at another place, 0 or 1.
+Outcome moveBridgeEnd(const CommandEnv& env, PartId part, int end, const document::BridgeEnd& to);
+
 // ---- Shapes ------------------------------------------------------------------------------------------------------
 
 /// A new one. `lie` as of DrawSpineIntent.
@@ -160,9 +169,9 @@ struct DrawLineIntent {
 };
 Outcome drawLine(const CommandEnv& env, const DrawLineIntent& intent);
 Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line);
-/// Of bridgesOn the picture in view: who is behind comes to the front there.
-Outcome swapBridge(const CommandEnv& env, int bridge);
-Outcome chooseBridge(const CommandEnv& env, int bridge);
+/// Of crossingsOn the picture in view: who is behind comes to the front there.
+Outcome swapCrossing(const CommandEnv& env, int crossing);
+Outcome chooseCrossing(const CommandEnv& env, int crossing);
 /// From where right angles of the drawings of these pieces are seen.
 Outcome seeFrom(const CommandEnv& env, const Parts& parts, descriptive::SeenFrom from);
 /// The depth of a place of a line; without one it is free again.

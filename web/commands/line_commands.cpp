@@ -32,10 +32,13 @@ bool pieceIsSelected(Env env) {
 }
 constexpr Condition kHasPiece{pieceIsSelected, Condition::Part | Condition::Parts, Error::NotAPiece};
 
-std::vector<Bridge> bridges(Env env) { return bridgesOn(env.studio.document(), env.studio.derived(), env.ui.picture); }
-bool hasBridges(Env env) { return linesTool(env) && hasDrawing(env) && !bridges(env).empty(); }
-bool bridgeIsChosen(Env env) {
-  return env.ui.chosen.bridge >= 0 && linesTool(env) && env.ui.chosen.bridge < static_cast<int>(bridges(env).size());
+std::vector<Crossing> crossings(Env env) {
+  return crossingsOn(env.studio.document(), env.studio.derived(), env.ui.picture);
+}
+bool hasCrossings(Env env) { return linesTool(env) && hasDrawing(env) && !crossings(env).empty(); }
+bool crossingIsChosen(Env env) {
+  return env.ui.chosen.crossing >= 0 && linesTool(env) &&
+         env.ui.chosen.crossing < static_cast<int>(crossings(env).size());
 }
 
 Outcome useLines(Env env, const Json&) {
@@ -180,17 +183,17 @@ Outcome standUpright(Env env, const Json& args) {
   return {};
 }
 
-// ---- bridges by keys --------------------------------------------------------------------------------------------
+// ---- crossings by keys --------------------------------------------------------------------------------------------
 
 Outcome step(Env env, int by) {
-  const int count = static_cast<int>(bridges(env).size());
+  const int count = static_cast<int>(crossings(env).size());
   if (count == 0) return {};
-  const int before = env.ui.chosen.bridge < 0 ? (by > 0 ? -1 : 0) : env.ui.chosen.bridge;
-  return chooseBridge(env, (before + by + count) % count);
+  const int before = env.ui.chosen.crossing < 0 ? (by > 0 ? -1 : 0) : env.ui.chosen.crossing;
+  return chooseCrossing(env, (before + by + count) % count);
 }
 Outcome next(Env env, const Json&) { return step(env, 1); }
 Outcome previous(Env env, const Json&) { return step(env, -1); }
-Outcome swap(Env env, const Json&) { return swapBridge(env, env.ui.chosen.bridge); }
+Outcome swap(Env env, const Json&) { return swapCrossing(env, env.ui.chosen.crossing); }
 
 constexpr Argument kPoints{"points"}, kLine{"line"}, kOver{"over"};
 
@@ -229,15 +232,15 @@ constexpr std::array kTable = {
     Command{.id = "stand-upright", .label = "Stand upright", .icon = "armchair", .group = "part",
             .hint = "What was drawn from above stands on its feet: its right angles say where up is",
             .enabled = kHasPiece, .run = standUpright},
-    Command{.id = "next-bridge", .label = "Next bridge", .icon = "chevron-right", .shortcut = ".", .group = "part",
-            .hint = "Choose the next place where two pieces overlap", .enabled = hasBridges, .run = next,
+    Command{.id = "next-bridge", .label = "Next crossing", .icon = "chevron-right", .shortcut = ".", .group = "part",
+            .hint = "Choose the next place where two pieces overlap", .enabled = hasCrossings, .run = next,
             .mode = &kLinesMode},
-    Command{.id = "previous-bridge", .label = "Bridge before", .icon = "chevron-left", .shortcut = ",",
-            .group = "part", .hint = "Choose the place before where two pieces overlap", .enabled = hasBridges,
+    Command{.id = "previous-bridge", .label = "Crossing before", .icon = "chevron-left", .shortcut = ",",
+            .group = "part", .hint = "Choose the place before where two pieces overlap", .enabled = hasCrossings,
             .run = previous, .mode = &kLinesMode},
     Command{.id = "swap-bridge", .label = "Swap front and back here", .icon = "arrow-left-right",
             .shortcut = "Enter", .group = "part", .hint = "The piece that is behind comes to the front at this place",
-            .enabled = bridgeIsChosen, .run = swap, .mode = &kBridgeMode},
+            .enabled = crossingIsChosen, .run = swap, .mode = &kCrossingMode},
 };
 // clang-format on
 
@@ -274,7 +277,7 @@ std::size_t contradictions(Env env, PictureId picture) {
 /// Says so where the last line contradicts those that were there.
 void tellContradiction(Env env, PictureId picture, std::size_t before) {
   if (contradictions(env, picture) <= before) return;
-  sendHint(env.host, "Two pieces are both drawn as in front. Tap the bridge there to swap them.");
+  sendHint(env.host, "Two pieces are both drawn as in front. Tap the crossing there to swap them.");
 }
 
 /// Whether a piece has plane faces now that had none, or was not there.
@@ -338,23 +341,23 @@ Outcome closeLine(Env env, DrawingId id, LineId line) {
   return closing(env, document::CloseLine{id, line, env.ui.look}, drawing->picture);
 }
 
-Outcome swapBridge(Env env, int number) {
-  const std::vector<Bridge> all = bridges(env);
-  if (number < 0 || number >= static_cast<int>(all.size())) return refuse({Error::ValueOutOfRange, "bridge"});
-  const Bridge bridge = all[static_cast<std::size_t>(number)];
-  const document::OrderPieces swap{bridge.under, bridge.over, bridge.at};
+Outcome swapCrossing(Env env, int number) {
+  const std::vector<Crossing> all = crossings(env);
+  if (number < 0 || number >= static_cast<int>(all.size())) return refuse({Error::ValueOutOfRange, "crossing"});
+  const Crossing crossing = all[static_cast<std::size_t>(number)];
+  const document::OrderPieces swap{crossing.under, crossing.over, crossing.at};
   if (const Status status = env.studio.act(swap); !status) return refuse(status.failure());
-  sendStatus(env.host, bridgeSentence(env.studio.document(), {bridge.under, bridge.over, bridge.at}));
+  sendStatus(env.host, crossingSentence(env.studio.document(), {crossing.under, crossing.over, crossing.at}));
   return {};
 }
 
-Outcome chooseBridge(Env env, int number) {
-  const std::vector<Bridge> all = bridges(env);
+Outcome chooseCrossing(Env env, int number) {
+  const std::vector<Crossing> all = crossings(env);
   env.ui.chosen = {};
   env.ui.focus = Focus::Picture;
   if (number < 0 || number >= static_cast<int>(all.size())) return {};
-  env.ui.chosen.bridge = number;
-  sendStatus(env.host, bridgeSentence(env.studio.document(), all[static_cast<std::size_t>(number)]));
+  env.ui.chosen.crossing = number;
+  sendStatus(env.host, crossingSentence(env.studio.document(), all[static_cast<std::size_t>(number)]));
   return {};
 }
 
@@ -388,7 +391,7 @@ Outcome shapePieces(Env env, const Parts& parts, descriptive::PieceKind kind) {
 }
 
 constinit const Mode kLinesMode{"lines", linesTool};
-constinit const Mode kBridgeMode{"bridge", bridgeIsChosen};
+constinit const Mode kCrossingMode{"bridge", crossingIsChosen};
 
 std::span<const Command> lineCommands() { return kTable; }
 

@@ -40,10 +40,11 @@ extern const Mode kBoneMode;          ///< a point of the bones of a puff is cho
 extern const Mode kBonesMode;         ///< they are shown: the same
 extern const Mode kShapePointMode;    ///< a handle of a shape is chosen: shape_tool_commands.cpp
 extern const Mode kShapeMode;         ///< they are shown: the same
-extern const Mode kBridgeMode;        ///< a bridge of a line drawing is chosen: line_commands.cpp
+extern const Mode kCrossingMode;      ///< a crossing of a line drawing is chosen: line_commands.cpp
 extern const Mode kLinesMode;         ///< its tool is in hand: the same
 extern const Mode kPullMode;          ///< a pull is chosen: pull_commands.cpp
 extern const Mode kPullToolMode;      ///< its tool is in hand: the same
+extern const Mode kBridgeToolMode;    ///< the tool for bridges between parts is in hand: bridge_commands.cpp
 extern const Mode kLayerMode;         ///< the sheet for layers is shown: layer_commands.cpp
 extern const Mode kPartsMode;         ///< parts are in hand for the tool that moves them: place_commands.cpp
 

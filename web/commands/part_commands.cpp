@@ -322,6 +322,7 @@ ToolKind toolFor(document::PartKind kind) {
     case document::PartKind::Stack:
     case document::PartKind::Shape:
     case document::PartKind::Element:
+    case document::PartKind::Bridge:
     case document::PartKind::kCount:
       break;
   }
@@ -331,7 +332,7 @@ ToolKind toolFor(document::PartKind kind) {
 Outcome redrawMode(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  if (document::stackOf(*part) || document::shapeOf(*part) || document::elementOf(*part))
+  if (document::stackOf(*part) || document::shapeOf(*part) || document::elementOf(*part) || document::bridgeOf(*part))
     return refuse({Error::NotABone, {}});
   env.ui.redraw = env.ui.redraw ? PartId{} : part->id;
   env.ui.pointsOf = {};

@@ -213,26 +213,14 @@ Outcome bumpHere(Env env, const Json&) {
 
 // ---- what programs say ------------------------------------------------------------------------------------------
 
-/// Places [x, y, z] of ModelSpace, or [x, y] of the picture, which are cast onto the front of the part, `back`: onto
-/// its back. None: it is no such list, or a place is beside the part.
+/// Places as placeOf reads them. None: it is no list of them, or a place is beside the part.
 std::optional<std::vector<ModelPoint>> placesFrom(const PulledPart& part, const Json& list, bool back) {
-  constexpr double kFar = 1e7;
   if (list.array() == nullptr || list.array()->empty()) return std::nullopt;
   std::vector<ModelPoint> places;
   for (const Json& place : *list.array()) {
-    const Json::Array* numbers = place.array();
-    if (numbers == nullptr || numbers->size() < 2 || numbers->size() > 3) return std::nullopt;
-    std::array<double, 3> at{};
-    for (std::size_t i = 0; i < numbers->size(); ++i) at[i] = (*numbers)[i].number().value_or(NAN);
-    if (numbers->size() == 3) {
-      places.push_back({at[0], at[1], at[2]});
-      continue;
-    }
-    const double way = back ? 1 : -1;
-    const ModelPoint eye{at[0], -at[1], -way * kFar};
-    const double far = firstHitOf(part.shape->mesh, eye, {0, 0, way});
-    if (!std::isfinite(far)) return std::nullopt;
-    places.push_back(eye + ModelPoint{0, 0, way * far});
+    const auto at = placeOf(part.shape->mesh, place, back);
+    if (!at) return std::nullopt;
+    places.push_back(*at);
   }
   return places;
 }

@@ -15,6 +15,7 @@
 #include "web/edit/shaping.h"
 #include "web/model/colour_text.h"
 
+#include "web/commands/bridge_json.h"
 #include "web/commands/drawing_json.h"
 #include "web/commands/modes.h"
 #include "web/commands/pull_json.h"
@@ -77,7 +78,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("chosen").beginObject();
   writeEnd(json, "end", ui.chosen.end);
   json.key("handle").number(ui.chosen.handle).key("boneHandle").number(ui.chosen.bone);
-  json.key("shapeHandle").number(ui.chosen.shape).key("bridge").number(ui.chosen.bridge);
+  json.key("shapeHandle").number(ui.chosen.shape).key("bridge").number(ui.chosen.crossing);
   json.key("pull").number(ui.chosen.pull).key("outline");
   if (ui.chosen.outline) {
     json.beginArray().number(static_cast<double>(ui.chosen.outline->contour));
@@ -100,6 +101,7 @@ void writeEditing(JsonWriter& json, const UiState& ui) {
   json.key("depthByPressure").flag(edit.depthByPressure).key("brush").number(edit.brush);
   json.key("hiddenPen").flag(edit.hiddenPen);
   json.key("pullReach").number(edit.pullReach).key("pullSharp").flag(edit.pullSharp);
+  json.key("bridgeWidth").number(edit.bridgeWidth);
   json.endObject();
 }
 
@@ -329,6 +331,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   json.key("waiting").flag(derived.waiting);
   writePlacement(json, part, mm);
   writePulls(json, part, derived);
+  writeBridge(json, part, derived);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   json.key("mended").flag(derived.mended != nullptr);
@@ -527,6 +530,7 @@ void writeState(const CommandEnv& env, std::uint64_t frames, JsonWriter& json) {
   writeShapeInHand(json, env);
   writeDrawings(json, env);
   writePullKnobs(json, env);
+  writeBridgeKnobs(json, env);
   json.key("modes").beginArray();
   for (const Mode* mode : modes()) {
     if (mode->open(env)) json.text(mode->name);

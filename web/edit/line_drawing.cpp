@@ -16,7 +16,7 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kApart = 44;      // CSS pixels between bridges: a fingertip
+constexpr double kApart = 44;      // CSS pixels between crossings: a fingertip
 constexpr int kRounds = 24;        // in which they move apart
 constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
 constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
@@ -142,24 +142,25 @@ std::optional<NextDash> nextDash(const document::Drawing* drawing, const std::ve
 
 }  // namespace
 
-std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline::Derived& derived, PictureId picture) {
-  std::vector<Bridge> bridges;
+std::vector<Crossing> crossingsOn(const document::Document& document, const pipeline::Derived& derived,
+                                  PictureId picture) {
+  std::vector<Crossing> crossings;
   forDrawings(document, derived, picture, [&](const document::Drawing&, const pipeline::DerivedDrawing& one) {
     const descriptive::Model& model = one.shape->model;
     const auto partOf = [&](std::uint32_t solid) { return one.pieces[model.solids[solid].piece]; };
     for (std::size_t k = 0; k < model.orders.orders.size(); ++k) {
       const descriptive::Order& order = model.orders.orders[k];
-      const Bridge bridge{partOf(order.over), partOf(order.under), model.orders.overlaps.all()[k].at,
-                          order.from == descriptive::OrderFrom::Guessed};
-      if (isShown(document, bridge.over) && isShown(document, bridge.under)) bridges.push_back(bridge);
+      const Crossing crossing{partOf(order.over), partOf(order.under), model.orders.overlaps.all()[k].at,
+                              order.from == descriptive::OrderFrom::Guessed};
+      if (isShown(document, crossing.over) && isShown(document, crossing.under)) crossings.push_back(crossing);
     }
   });
-  return bridges;
+  return crossings;
 }
 
-std::string bridgeSentence(const document::Document& document, const Bridge& bridge) {
-  const document::Part* over = document::findPart(document, bridge.over);
-  const document::Part* under = document::findPart(document, bridge.under);
+std::string crossingSentence(const document::Document& document, const Crossing& crossing) {
+  const document::Part* over = document::findPart(document, crossing.over);
+  const document::Part* under = document::findPart(document, crossing.under);
   if (over == nullptr || under == nullptr) return {};
   return std::string(words::tr("{front} is in front of {back} here.",
                                {{"front", words::nameOf(over->name)}, {"back", words::nameOf(under->name)}}));
@@ -220,8 +221,8 @@ LineMarks lineMarks(const document::Document& document, const pipeline::Derived&
   if (ui.tool != ToolKind::Lines) return marks;
   const auto onCanvas = [&](PicturePoint p) { return ui.pictureView.toClient(p, ui.layout.picture); };
   for (const LooseEnd& end : looseEndsOn(document, derived, ui.picture)) marks.looseEnds.push_back(onCanvas(end.at));
-  std::vector<ClientPoint>& at = marks.bridges;
-  for (const Bridge& bridge : bridgesOn(document, derived, ui.picture)) at.push_back(onCanvas(bridge.at));
+  std::vector<ClientPoint>& at = marks.crossings;
+  for (const Crossing& crossing : crossingsOn(document, derived, ui.picture)) at.push_back(onCanvas(crossing.at));
   bool moved = true;
   for (int round = 0; round < kRounds && moved; ++round) {
     moved = false;

@@ -15,15 +15,16 @@
 namespace spineloft::app {
 
 /// A place where two pieces overlap; a tap swaps them there.
-struct Bridge {
+struct Crossing {
   PartId over, under;
   PicturePoint at;
   bool guessed = false;  ///< no line says who is in front
 };
 /// Of all drawings on a picture, in their order; of pieces that are shown.
-std::vector<Bridge> bridgesOn(const document::Document& document, const pipeline::Derived& derived, PictureId picture);
+std::vector<Crossing> crossingsOn(const document::Document& document, const pipeline::Derived& derived,
+                                  PictureId picture);
 /// "Leg is in front of Body", in the visitor's language.
-std::string bridgeSentence(const document::Document& document, const Bridge& bridge);
+std::string crossingSentence(const document::Document& document, const Crossing& crossing);
 
 /// What is derived of the drawing of a piece; null without it.
 const pipeline::DerivedDrawing* drawingOf(const pipeline::Derived& derived, PartId piece);
@@ -57,10 +58,10 @@ std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipe
 std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipeline::Derived& derived,
                                   PictureId picture);
 
-/// Both on the canvas as the tool Lines shows them: bridges that would be nearer than a fingertip move apart. Empty
+/// Both on the canvas as the tool Lines shows them: crossings that would be nearer than a fingertip move apart. Empty
 /// while another tool is in hand.
 struct LineMarks {
-  std::vector<ClientPoint> bridges, looseEnds;
+  std::vector<ClientPoint> crossings, looseEnds;
 };
 LineMarks lineMarks(const document::Document& document, const pipeline::Derived& derived, const UiState& ui);
 /// The one within `reach` CSS pixels; −1: none.

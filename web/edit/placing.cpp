@@ -84,6 +84,9 @@ pipeline::Copies previewCopies(const document::Document& document, const pipelin
   if (!ui.preview || !ui.preview->shape) return pipeline::copiesInWorld({}, {}, picture);
   const document::Part* part = document::findPart(document, ui.preview->part);
   if (part != nullptr) return shownCopies(ui, *part, picture);
+  if (std::holds_alternative<document::BridgeRecipe>(ui.preview->recipe)) {
+    return pipeline::copiesInWorld({}, {}, picture);  // it stands where its parts do
+  }
   const document::Placement beside =
       pipeline::standBeside(document, derived, document::pictureOf(ui.preview->recipe), ui.preview->shape->mesh);
   return pipeline::copiesInWorld(beside, {}, picture);

@@ -5,6 +5,7 @@
 #include "engine/base/hash.h"
 #include "engine/document/pieces.h"
 #include "engine/document/update.h"
+#include "engine/pipeline/bridge_shape.h"
 #include "engine/pipeline/drawing_shape.h"
 #include "engine/vision/edges.h"
 #include "web/model/messages.h"
@@ -180,9 +181,42 @@ std::vector<PicturePoint> Derivation::strokeOnThing(const document::LoftRecipe& 
   return pipeline::strokeOnThing(document(), recipe, cache_);
 }
 
+void Derivation::carryBridges(const document::Document& document, const publish::Substitute* instead) {
+  for (pipeline::DerivedPart& derived : preview_->parts) {
+    const document::Part* part = document::findPart(document, derived.id);
+    const document::BridgeRecipe* bridge = part ? document::bridgeOf(*part) : nullptr;
+    if (bridge == nullptr || !derived.shape) continue;
+    const auto meshOf = [&](PartId host) -> const mesh::TriMesh* {
+      if (instead != nullptr && instead->part == host) return instead->mesh;
+      const auto at = std::ranges::find(preview_->parts, host, &pipeline::DerivedPart::id);
+      return at == preview_->parts.end() || !at->shape ? nullptr : &at->shape->mesh;
+    };
+    const document::PictureEntry* entry = document::findPicture(document, bridge->picture);
+    const mesh::TriMesh *from = meshOf(bridge->from.part), *to = meshOf(bridge->to.part);
+    if (entry == nullptr || from == nullptr || to == nullptr) continue;
+    ShapeKey key = pipeline::shapeKey(*part, *entry, document);
+    if (instead != nullptr && (instead->part == bridge->from.part || instead->part == bridge->to.part)) {
+      key = ShapeKey{Hasher().text("carried").number(key.hash).number(instead->key.hash).value()};
+    }
+    if (derived.shape->key == key) continue;
+    Result<pipeline::PartShape> made = pipeline::bridgeStage(*bridge, document, *from, *to);
+    if (!made) continue;
+    auto shape = std::make_shared<pipeline::PartShape>(*derived.shape);
+    shape->mesh = std::move(made.value().mesh);
+    shape->rims = std::move(made.value().rims);
+    if (!part->pulls.empty()) {
+      const Status pulled = pipeline::pullStage(part->pulls, {}, pipeline::TraceQuality::Live, cache_, *shape);
+      if (!pulled) continue;
+    }
+    shape->key = key;
+    derived.shape = std::move(shape);
+  }
+}
+
 void Derivation::layPreview(const document::Document& document, const publish::Substitute* instead) {
   shown();
   if (!preview_) preview_ = derived_;
+  carryBridges(document, instead);
   solids_.preview(document, *preview_, instead);
 }
 

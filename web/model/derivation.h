@@ -69,6 +69,8 @@ class Derivation {
   pipeline::Derived make(const pipeline::Derived& before);
   void refresh();
   void layPreview(const document::Document& document, const publish::Substitute* instead);
+  /// In the preview: bridges go along with the parts that they stand on.
+  void carryBridges(const document::Document& document, const publish::Substitute* instead);
   void findEdges(PictureId id);
   void noteTimes(const pipeline::Derived& before);
   void report();

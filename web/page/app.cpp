@@ -148,10 +148,10 @@ void App::settleChosen() {
   const int pulls = part ? static_cast<int>(part->pulls.size()) : 0;
   if (ui_.chosen.pull >= pulls) ui_.chosen.pull = -1;
   if (ui_.hover.pull >= pulls) ui_.hover.pull = -1;
-  if (ui_.chosen.bridge >= 0 || ui_.hover.bridge >= 0) {
-    const auto count = static_cast<int>(lineMarks(studio_.document(), studio_.derived(), ui_).bridges.size());
-    if (ui_.chosen.bridge >= count) ui_.chosen.bridge = -1;
-    if (ui_.hover.bridge >= count) ui_.hover.bridge = -1;
+  if (ui_.chosen.crossing >= 0 || ui_.hover.crossing >= 0) {
+    const auto count = static_cast<int>(lineMarks(studio_.document(), studio_.derived(), ui_).crossings.size());
+    if (ui_.chosen.crossing >= count) ui_.chosen.crossing = -1;
+    if (ui_.hover.crossing >= count) ui_.hover.crossing = -1;
   }
   if (!ui_.chosen.end && !ui_.hover.end) return;
   const Subject subject = subjectOf(studio_.document(), studio_.derived(), ui_.selection);

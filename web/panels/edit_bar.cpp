@@ -54,6 +54,7 @@ Ids itemsOf(const PanelEnv& env) {
   static constexpr app::CommandId kLines[] = {"seen-pen", "hidden-pen"};
   static constexpr app::CommandId kPull[] = {"pull-out",   "pull-in",   "pull-narrower", "pull-wider",
                                              "pull-sharp", "pull-next", "pull-remove"};
+  static constexpr app::CommandId kBridge[] = {"bridge-narrower", "bridge-wider"};
   static constexpr app::CommandId kHollow[] = {"hollow-use", "hollow-cancel", "hollow-next"};
   static constexpr app::CommandId kNew[] = {"in-front", "inside", "behind"};
   static constexpr app::CommandId kWays[] = {"draw", "puff", "sheet"};
@@ -74,6 +75,8 @@ Ids itemsOf(const PanelEnv& env) {
       return kLines;
     case app::ToolKind::Pull:
       return kPull;
+    case app::ToolKind::Bridge:
+      return kBridge;
     case app::ToolKind::Ribs:
       return kRibs;
     case app::ToolKind::Shape:

@@ -1,5 +1,5 @@
 // Handles that a pointer drags in the views, for those who use none: points of an outline, the depth of a spine, the
-// bones of a puff, a shape; bridges and rings of line drawings.
+// bones of a puff, a shape; crossings and rings of line drawings.
 #include <imgui.h>
 
 #include <algorithm>
@@ -213,17 +213,17 @@ void shapes(const PanelEnv& env) {
   }
 }
 
-/// Bridges of line drawings and rings at lines that are not closed.
+/// Crossings of line drawings and rings at lines that are not closed.
 void lines(const PanelEnv& env) {
   const app::LineMarks marks = app::lineMarks(env.document(), env.derived, env.ui());
   const auto where = [](app::ClientPoint at) { return ImVec2{static_cast<float>(at.x), static_cast<float>(at.y)}; };
-  if (!marks.bridges.empty()) {
-    const std::vector<app::Bridge> bridges = app::bridgesOn(env.document(), env.derived, env.ui().picture);
-    for (std::size_t i = 0; i < std::min(bridges.size(), marks.bridges.size()); ++i) {
-      const std::string now = app::bridgeSentence(env.document(), bridges[i]);
+  if (!marks.crossings.empty()) {
+    const std::vector<app::Crossing> crossings = app::crossingsOn(env.document(), env.derived, env.ui().picture);
+    for (std::size_t i = 0; i < std::min(crossings.size(), marks.crossings.size()); ++i) {
+      const std::string now = app::crossingSentence(env.document(), crossings[i]);
       const PointControl what{"bridge" + std::to_string(i), words::tr("{what} Swap them here.", {{"what", now}}),
-                              where(marks.bridges[i])};
-      if (pointButton(env, what)) env.sink.run(app::swapBridge, static_cast<int>(i));
+                              where(marks.crossings[i])};
+      if (pointButton(env, what)) env.sink.run(app::swapCrossing, static_cast<int>(i));
     }
   }
   if (marks.looseEnds.empty()) return;

@@ -1,4 +1,4 @@
-// Line drawings over the picture: lines, seen and hidden, the rings where one is not closed, and the bridges where
+// Line drawings over the picture: lines, seen and hidden, the rings where one is not closed, and the crossings where
 // pieces overlap.
 #include <imgui.h>
 
@@ -18,7 +18,7 @@ namespace spineloft::panels {
 namespace {
 
 constexpr float kHaloWidth = 5.f, kLineWidth = 2.4f, kDash = 7.f, kGapOfDash = 6.f;
-constexpr float kBridge = 12.f, kRing = 8.f;
+constexpr float kCrossing = 12.f, kRing = 8.f;
 
 /// Dashes along a whole polyline, not of each side of it.
 void dashed(ImDrawList& list, const app::UiState& ui, std::span<const PicturePoint> points, const Pen& pen) {
@@ -85,9 +85,9 @@ void drawnLine(ImDrawList& list, const app::UiState& ui, const document::DrawnLi
 }
 
 /// One sheet in front of another one. Filled where lines say so, hollow where it is a guess.
-void bridge(ImDrawList& list, ImVec2 at, bool guessed, bool hot, bool chosen) {
+void crossing(ImDrawList& list, ImVec2 at, bool guessed, bool hot, bool chosen) {
   const ImU32 colour = chosen ? kDark : toolColour(app::ToolKind::Lines);
-  const float r = hot || chosen ? kBridge + 2 : kBridge;
+  const float r = hot || chosen ? kCrossing + 2 : kCrossing;
   list.AddCircleFilled(at, r + 2.5f, kHalo, 32);
   const ImU32 ground = guessed ? kHalo : colour, ink = guessed ? colour : kOnAccent;
   list.AddCircleFilled(at, r, ground, 32);
@@ -146,11 +146,12 @@ void drawLineDrawing(const PanelEnv& env) {
     ring(env, list, where(marks.looseEnds[i]), ui.hover.looseEnd == static_cast<int>(i),
          i == 0 && ui.inHand.stroke.empty());
   }
-  if (marks.bridges.empty()) return;
-  const std::vector<app::Bridge> bridges = app::bridgesOn(env.document(), env.derived, ui.picture);
-  for (std::size_t i = 0; i < std::min(bridges.size(), marks.bridges.size()); ++i) {
+  if (marks.crossings.empty()) return;
+  const std::vector<app::Crossing> crossings = app::crossingsOn(env.document(), env.derived, ui.picture);
+  for (std::size_t i = 0; i < std::min(crossings.size(), marks.crossings.size()); ++i) {
     const int number = static_cast<int>(i);
-    bridge(list, where(marks.bridges[i]), bridges[i].guessed, ui.hover.bridge == number, ui.chosen.bridge == number);
+    crossing(list, where(marks.crossings[i]), crossings[i].guessed, ui.hover.crossing == number,
+             ui.chosen.crossing == number);
   }
 }
 

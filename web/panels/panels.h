@@ -48,6 +48,7 @@ struct PrimitiveTiles {
 void primitiveTiles(const PanelEnv& env, const PrimitiveTiles& tiles);
 void drawSlicesInSolid(const PanelEnv& env);  ///< lines across it where slices are
 void drawSolidOverlay(const PanelEnv& env);   ///< the spine with the handles of its depth, the sheet for layers
+void drawBridge(const PanelEnv& env);         ///< the knobs of the bridge in hand, and the line of one that is drawn
 void drawPulls(const PanelEnv& env);          ///< the lines of pulls with their knobs, and one that is drawn
 void drawSheet(const PanelEnv& env);          ///< the sheet, with the curves of the layers
 /// Where the sheet is, as sliders, below the edit bar or, where that is at the foot, above it.

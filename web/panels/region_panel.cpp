@@ -129,6 +129,7 @@ std::span<const app::CommandId> tilesFor(document::PartKind kind) {
     case document::PartKind::Stack:
     case document::PartKind::Shape:
     case document::PartKind::Element:
+    case document::PartKind::Bridge:
     case document::PartKind::Loft:
     case document::PartKind::kCount:
       break;

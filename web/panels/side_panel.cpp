@@ -71,12 +71,13 @@ const char* titleOf(const document::Part& region) {
   if (document::stackOf(region)) return "Layers";
   if (document::shapeOf(region)) return "Shape";
   if (document::elementOf(region)) return "Piece";
+  if (document::bridgeOf(region)) return "Bridge";
   return document::inflateOf(region) ? "Puff" : "Flat piece";
 }
 
 /// The tool in hand draws no lines along things: the next part has no slices and ends of its own to set.
 bool drawsOther(app::ToolKind tool) {
-  return app::drawsRegions(tool) || tool == app::ToolKind::Layers || tool == app::ToolKind::Primitive ||
+  return app::drawsRegions(tool) || app::worksInSolid(tool) || tool == app::ToolKind::Primitive ||
          tool == app::ToolKind::Lines;
 }
 

@@ -72,6 +72,7 @@ void drawSolidOverlay(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   drawSheet(env);
   drawPulls(env);
+  drawBridge(env);
   drawSlicesInSolid(env);
   drawDots(env);
   const app::Subject subject = app::subjectOf(env.document(), env.derived, ui.selection);

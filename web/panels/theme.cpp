@@ -20,6 +20,7 @@ ImU32 toolColour(app::ToolKind tool) {
     case app::ToolKind::Ignore:
       return rgb(0x6d5a38);
     case app::ToolKind::Pull:
+    case app::ToolKind::Bridge:
       return rgb(0xb01f72);
     case app::ToolKind::Place:
       return rgb(0x5b3fb5);

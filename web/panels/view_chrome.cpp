@@ -259,8 +259,8 @@ const char* lineHint(const PanelEnv& env) {
   const app::LineMarks marks = app::lineMarks(env.document(), env.derived, env.ui());
   if (!marks.looseEnds.empty()) return "Draw on from a ring, or tap it to close the line";
   if (env.document().drawings.empty()) return "Draw a closed line: it becomes a piece";
-  return marks.bridges.empty() ? "Draw one more piece. What ends at an edge goes on behind it"
-                               : "Tap a bridge to swap front and back there";
+  return marks.crossings.empty() ? "Draw one more piece. What ends at an edge goes on behind it"
+                                 : "Tap a crossing to swap front and back there";
 }
 
 /// What one may do in the picture next, of what the tool in use is for; empty: it is known.
@@ -316,6 +316,11 @@ void drawHints(const PanelEnv& env) {
     pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
          {"Tap the solid, or draw a line or a ring on it", kAccent, kOnAccent});
   }
+  const bool bridges = env.ui().tool == app::ToolKind::Bridge && env.ui().inHand.besideSolid.empty();
+  if (bridges && (env.selected() == nullptr || document::bridgeOf(*env.selected()) == nullptr)) {
+    pill(env, layout.solid, layout.solid.bottom() - kFoot, app::Toward::Head,
+         {"Drag from one place of the solid to another", kAccent, kOnAccent});
+  }
   // What is to come, while there is nothing to see yet.
   if (env.document().parts.empty() && !drawing && !layers) {
     pill(env, layout.solid, layout.solid.centre().y, app::Toward::Foot,
@@ -349,13 +354,14 @@ void drawViewChrome(const PanelEnv& env) {
   constexpr app::CommandId kFirst[] = {"draw", "puff", "sheet", "shapes", "lines", "spin", "layers", "hand", "fit"};
   constexpr app::CommandId kSimpleFew[] = {"draw", "puff", "sheet", "fit", "more-tools"};
   constexpr app::CommandId kSimple[] = {"draw", "puff", "sheet", "more-tools", "fit", "zoom-out", "zoom-in"};
-  constexpr app::CommandId kPictureFew[] = {"draw",  "puff", "ribs",   "bone", "sheet",        "shape", "shapes",
-                                            "lines", "spin", "layers", "hand", "ignore-edges", "fit",   "pull"};
+  constexpr app::CommandId kPictureFew[] = {"draw",  "puff",         "ribs",  "bone", "sheet",
+                                            "shape", "shapes",       "lines", "spin", "layers",
+                                            "hand",  "ignore-edges", "fit",   "pull", "bridge"};
   constexpr app::CommandId kPictureAll[] = {"draw", "puff",         "sheet", "shapes",   "lines",
                                             "spin", "layers",       "hand",  "ribs",     "shape",
                                             "bone", "ignore-edges", "fit",   "zoom-out", "zoom-in"};
-  constexpr app::CommandId kSolidFew[] = {"pull", "move", "home-view"};
-  constexpr app::CommandId kSolidAll[] = {"pull", "move", "zoom-out", "zoom-in", "home-view"};
+  constexpr app::CommandId kSolidFew[] = {"pull", "bridge", "move", "home-view"};
+  constexpr app::CommandId kSolidAll[] = {"pull", "bridge", "move", "zoom-out", "zoom-in", "home-view"};
   using Ids = std::span<const app::CommandId>;
   const bool few = layout.stacked || env.ui().touch || layout.picture.width < 330 || app::buttonsAtSide(layout.picture);
   // Few buttons at first: what changes a part comes with the first part.
@@ -363,9 +369,11 @@ void drawViewChrome(const PanelEnv& env) {
   const app::Rect paper = sketchBarRect(env);
   const bool onPaper = app::shownSketch(env.document(), env.ui()) != nullptr;
   const Ids simple = few ? Ids(kSimpleFew) : Ids(kSimple);
-  // In a narrow view the solid's own buttons leave no room for it.
+  constexpr std::size_t kLocal = 2;  // pull and bridge
+  // In a narrow view the solid's own buttons leave no room for them.
   const bool pullAside = few && layout.solid.width < 330;
-  const Ids changing = few ? Ids(kPictureFew).first(std::size(kPictureFew) - (pullAside ? 0 : 1)) : Ids(kPictureAll);
+  const Ids changing =
+      few ? Ids(kPictureFew).first(std::size(kPictureFew) - (pullAside ? 0 : kLocal)) : Ids(kPictureAll);
   const Ids full = (few || onPaper) && empty ? Ids(kFirst) : changing;
   const Ids all = env.ui().allTools ? full : simple;
   const Ids ids = all.subspan(onPaper ? 1 : 0);  // the card of the pen has the spine
@@ -380,7 +388,7 @@ void drawViewChrome(const PanelEnv& env) {
   env.ui().solidButtons = {};
   if (env.ui().solids.hollow) return;  // its bar is in their place
   const Ids onSolid =
-      Ids(fewSolid ? Ids(kSolidFew) : Ids(kSolidAll)).subspan(env.ui().allTools && !empty && !pullAside ? 0 : 1);
+      Ids(fewSolid ? Ids(kSolidFew) : Ids(kSolidAll)).subspan(env.ui().allTools && !empty && !pullAside ? 0 : kLocal);
   env.ui().solidButtons =
       buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, onSolid, app::Focus::Solid});
 }

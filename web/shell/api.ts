@@ -76,6 +76,14 @@ export interface Placement {
   degrees: [number, number, number];
 }
 
+/** Where a bridge stands on a part. */
+export interface BridgeEnd {
+  part: number;
+  /** The middle of its rim as [x, y, z] and how far that is from it, picture pixels of the bridge; null: it has no shape. */
+  at: [number, number, number] | null;
+  radius: number | null;
+}
+
 /** A ball, a box or another shape; pixels of its picture, outlines of theirs. */
 export interface ShapeInfo {
   /** 'ball', 'egg', 'box', 'cylinder', 'capsule', 'cone', 'pyramid' or 'half-ball'. */
@@ -173,6 +181,8 @@ export interface Part {
   side: { picture: number; lines: PicturePoint[][] } | null;
   /** Lines on its surface that are moved, in order: how many points each has, how many it goes to and how many its ring has (0: no bump), height and radius in picture pixels, and the share of the way that it could go without going through itself. */
   pulls: { points: number; height: number; to: number; radius: number; crease: boolean; ring: number; share: number }[];
+  /** Of a bridge: the parts that it joins, and its rims on them. */
+  bridge: { from: BridgeEnd; to: BridgeEnd } | null;
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */
@@ -314,7 +324,7 @@ export interface State {
   selectedStep: number | null;
   /** Id of the selected part. */
   selection: number | null;
-  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes', 'lines', 'pull' */
+  /** 'draw', 'hand' for moving the picture, 'ribs', 'shape', 'bone', 'ignore', 'pen' and 'eraser' on paper, 'move', 'puff', 'sheet', 'spin', 'layers', 'shapes', 'lines', 'pull', 'bridge' */
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
@@ -354,6 +364,8 @@ export interface State {
   depthDots: { line: number; along: number; z: number; pinned: boolean; at: [number, number] }[];
   /** Knobs of the pulls of the part in hand of the tool 'pull', CSS pixels of the canvas (null: behind the eye); a drag takes those that face the eye, and the chosen one. */
   pullKnobs: { pull: number; facing: boolean; at: [number, number] | null }[];
+  /** Ends of the bridge in hand of the tool 'bridge', CSS pixels of the canvas (null: behind the eye); a drag moves them. */
+  bridgeKnobs: ([number, number] | null)[];
   /** What is open above the model, the topmost first: Escape ends the first that can end; the last is 'model'. */
   modes: string[];
   /** Steps that undo and redo could go. */
@@ -417,6 +429,8 @@ export interface State {
     /** Of the next pull: its radius, a share of the part's diagonal, and whether it makes an edge along its line. */
     pullReach: number;
     pullSharp: boolean;
+    /** Of the next bridge: how wide it is, times as usual. */
+    bridgeWidth: number;
   };
   /** The visitor's own slices. */
   shelf: { id: number; name: string }[];

@@ -30,8 +30,8 @@ void LineTool::move(const ToolEnv& env, const ToolEvent& event) {
 }
 
 void LineTool::tap(const ToolEnv& env) const {
-  if (under_.bridge >= 0) {
-    env.sink.run(app::swapBridge, under_.bridge);
+  if (under_.crossing >= 0) {
+    env.sink.run(app::swapCrossing, under_.crossing);
   } else if (under_.looseEnd >= 0) {
     const auto ends = app::looseEndsOn(env.document, env.derived, env.ui.picture);
     const auto at = static_cast<std::size_t>(under_.looseEnd);

@@ -1,4 +1,4 @@
-// Lines of a line drawing: a drag is a line, seen or hidden; a tap on a bridge swaps two pieces there, one on a ring
+// Lines of a line drawing: a drag is a line, seen or hidden; a tap on a crossing swaps two pieces there, one on a ring
 // closes its line.
 #pragma once
 

@@ -7,6 +7,7 @@
 
 #include "engine/geometry/line_distance.h"
 #include "web/commands/intents.h"
+#include "web/edit/bridging.h"
 #include "web/edit/depth_dots.h"
 #include "web/edit/gizmo.h"
 #include "web/edit/line_drawing.h"
@@ -125,8 +126,8 @@ app::Hover pickInPicture(const ToolEnv& env, const ToolEvent& event) {
     pickShape(env, p, {reachOf(event), kOutlineReach * reach}, hover);
   } else if (ui.tool == ToolKind::Lines) {
     const app::LineMarks marks = app::lineMarks(env.document, env.derived, ui);
-    hover.bridge = app::nearestOf(marks.bridges, event.at, reachOf(event));
-    if (hover.bridge < 0) hover.looseEnd = app::nearestOf(marks.looseEnds, event.at, reachOf(event));
+    hover.crossing = app::nearestOf(marks.crossings, event.at, reachOf(event));
+    if (hover.crossing < 0) hover.looseEnd = app::nearestOf(marks.looseEnds, event.at, reachOf(event));
   } else if (ui.tool == ToolKind::Ignore) {
     hover.mark = app::markAt(app::marksOf(env.document, ui.picture, ui.selection), p, 0);
   } else if (app::drawsRegions(ui.tool)) {
@@ -186,6 +187,7 @@ app::Hover pickInSolid(const ToolEnv& env, const ToolEvent& event) {
     hover.gizmo = app::handleAt(*gizmo, event.at, event.touch());
   }
   hover.pull = app::pullKnobAt(app::pulledPart(env.document, env.derived, ui), ui, event.at, reachOf(event));
+  hover.rim = app::rimKnobAt(app::bridgeInHand(env.document, env.derived, ui), ui, event.at, reachOf(event));
   const SheetGrip grip = gripAt(env, event);
   hover.sheet = grip.hold;
   hover.joint = grip.joint;
@@ -220,6 +222,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.bone >= 0) return "grab";
     if (hover.depth >= 0) return "ns-resize";
+    if (ui.tool == ToolKind::Bridge) return hover.rim >= 0 ? "grab" : hover.part ? "crosshair" : "grab";
     if (ui.tool == ToolKind::Pull) return hover.pull >= 0 ? "grab" : hover.part ? "crosshair" : "grab";
     return hover.gizmo != app::GizmoHandle::None ? "pointer" : body ? "move" : "grab";
   }
@@ -241,7 +244,7 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     case ToolKind::Primitive:
       return hover.shape >= 0 ? "grab" : "crosshair";
     case ToolKind::Lines:
-      return hover.bridge >= 0 || hover.looseEnd >= 0 ? "pointer" : "crosshair";
+      return hover.crossing >= 0 || hover.looseEnd >= 0 ? "pointer" : "crosshair";
     case ToolKind::Ignore:
       return hover.mark >= 0 ? "pointer" : "cell";
     default:

@@ -1,6 +1,7 @@
 #include "web/tools/tools.h"
 
 #include "web/tools/bone_tool.h"
+#include "web/tools/bridge_tool.h"
 #include "web/tools/depth_tool.h"
 #include "web/tools/draw_spine.h"
 #include "web/tools/ignore_tool.h"
@@ -49,6 +50,7 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
     case ToolKind::Place:  // which work in the solid view
     case ToolKind::Layers:
     case ToolKind::Pull:
+    case ToolKind::Bridge:
     case ToolKind::kCount:
       break;
   }
@@ -63,6 +65,7 @@ std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
   if (under.bone >= 0) return std::make_unique<BoneTool>(app::Focus::Solid);
   const bool pulls = env.ui.tool == app::ToolKind::Pull;
   if (pulls && (under.pull >= 0 || under.part || isBesidePart(env, event))) return std::make_unique<PullTool>();
+  if (env.ui.tool == app::ToolKind::Bridge && (under.rim >= 0 || under.part)) return std::make_unique<BridgeTool>();
   if (under.sheet != SheetHold::Nothing) return std::make_unique<SheetTool>();
   const bool held = under.gizmo != app::GizmoHandle::None || under.part;
   if (env.ui.tool == app::ToolKind::Place && held) return std::make_unique<PlaceTool>();

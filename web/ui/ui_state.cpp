@@ -8,8 +8,8 @@ namespace spineloft::app {
 
 std::string_view toolKey(ToolKind tool) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(ToolKind::kCount)> kKeys = {
-      "draw", "hand",   "ribs", "shape", "bone",   "ignore", "puff",  "sheet",
-      "pen",  "eraser", "move", "spin",  "layers", "shapes", "lines", "pull"};
+      "draw",   "hand", "ribs", "shape",  "bone",   "ignore", "puff", "sheet", "pen",
+      "eraser", "move", "spin", "layers", "shapes", "lines",  "pull", "bridge"};
   return tool < ToolKind::kCount ? kKeys[static_cast<std::size_t>(tool)] : std::string_view();
 }
 

@@ -49,10 +49,11 @@ enum class ToolKind : std::uint8_t {
   Primitive,  ///< shapes: from one end of the axis to the other; their handles and outlines
   Lines,      ///< lines of a line drawing, seen and hidden: what they close becomes a piece
   Pull,       ///< lines on the solid, which move its surface out or in
+  Bridge,     ///< from a place of the solid to another: a tube joins them
   kCount
 };
 /// "draw", "hand", "ribs", "shape", "bone", "ignore", "puff", "sheet", "pen", "eraser", "move", "spin",
-/// "layers", "shapes", "lines", "pull".
+/// "layers", "shapes", "lines", "pull", "bridge".
 std::string_view toolKey(ToolKind tool);
 /// What it draws is a part that is made of a region.
 constexpr bool drawsRegions(ToolKind tool) {
@@ -60,7 +61,7 @@ constexpr bool drawsRegions(ToolKind tool) {
 }
 /// It is used in the solid view.
 constexpr bool worksInSolid(ToolKind tool) {
-  return tool == ToolKind::Place || tool == ToolKind::Layers || tool == ToolKind::Pull;
+  return tool == ToolKind::Place || tool == ToolKind::Layers || tool == ToolKind::Pull || tool == ToolKind::Bridge;
 }
 /// It can cut a thing out of the picture.
 constexpr bool cutsOut(ToolKind tool) { return tool == ToolKind::Inflate || tool == ToolKind::Extrude; }
@@ -184,9 +185,10 @@ struct Hover {
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
   int shape = -1;                    ///< of shapeHandles of the shape in hand
   bool outlineOfShape = false;       ///< a line from here redraws its outline
-  int bridge = -1;                   ///< of bridgesOn: where a tap swaps two pieces of a line drawing
+  int crossing = -1;                 ///< of crossingsOn: where a tap swaps two pieces of a line drawing
   int looseEnd = -1;                 ///< of looseEndsOn: where a tap closes a line
   int pull = -1;                     ///< of the pulls of the part in hand: its knob
+  int rim = -1;                      ///< an end of the bridge in hand, 0 or 1: its knob
   std::optional<double> along;       ///< a place of the selected part's spine: at it, or in a graph
   std::optional<ClientPoint> brush;  ///< where an eraser or a scribble would begin
   bool operator==(const Hover&) const = default;
@@ -199,7 +201,7 @@ struct Chosen {
   std::optional<OutlinePoint> outline = {};  ///< of what is made of a region
   int bone = -1;                             ///< of boneHandles of a puff
   int shape = -1;                            ///< of shapeHandles of a shape
-  int bridge = -1;                           ///< of bridgesOn
+  int crossing = -1;                         ///< of crossingsOn
   int pull = -1;                             ///< of the pulls of the part
   bool operator==(const Chosen&) const = default;
 };
@@ -232,10 +234,12 @@ struct EditOptions {
   bool hiddenPen = false;        ///< lines of a line drawing have something in front of them
   double pullReach = 0.12;       ///< radius of a pull, share of the part's diagonal, kLeastPullReach … kMostPullReach
   bool pullSharp = false;        ///< a pull makes an edge along its line
+  double bridgeWidth = 1;        ///< of the next bridge, times the usual one, kLeastBridgeWidth … kMostBridgeWidth
   double brush = 14;             ///< radius of a scribble, CSS pixels
   bool operator==(const EditOptions&) const = default;
 };
 inline constexpr double kMostReach = 0.5, kLeastPullReach = 0.02, kMostPullReach = 0.6;
+inline constexpr double kLeastBridgeWidth = 0.2, kMostBridgeWidth = 3;
 
 /// How parts are taken in hand; lasts until it is changed.
 struct PlaceOptions {

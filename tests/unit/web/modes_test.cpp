@@ -78,14 +78,14 @@ struct Desk {
     ui.selection = chance() ? PartId{} : anyPart(rng);
     ui.focus = chance() ? app::Focus::Solid : app::Focus::Picture;
     using enum app::ToolKind;
-    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines, Pull}[rng.below(10)];
+    ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines, Pull, Bridge}[rng.below(11)];
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;
     if (rng.below(2) == 0) ui.chosen.bone = 0;
     if (rng.below(2) == 0) ui.chosen.outline = app::OutlinePoint{};
     if (rng.below(2) == 0) ui.chosen.shape = 0;
-    if (rng.below(2) == 0) ui.chosen.bridge = 0;
+    if (rng.below(2) == 0) ui.chosen.crossing = 0;
     if (rng.below(2) == 0) ui.chosen.pull = 0;
     studio.cancelWork();
     studio.pump();
