@@ -169,9 +169,17 @@ double sagOf(const Laid& rim) {
 TubeEnd endOf(const Laid& rim, ModelPoint out) {
   constexpr double kSags = 2, kLeast = 3e-4;  // of the radius
   const double below = kSags * sagOf(rim) + kLeast * rim.radius;
-  TubeEnd end{{}, coNormals(rim, out), out, rim.radius, {}};
+  TubeEnd end{{}, coNormals(rim, out), out, rim.radius, {}, {}};
   for (std::size_t i = 0; i < kSides; ++i) end.ring.push_back(rim.points[i] - rim.normals[i] * below);
   end.centre = meanOf(end.ring);
+  // The lid is steeper than the tube, which on a hollow surface begins downwards.
+  constexpr double kDepth = 0.2, kLeastInward = 0.3;
+  double steepest = 0;
+  for (std::size_t i = 0; i < kSides; ++i) {
+    const double inward = dot(end.leave[i], normalized(end.centre - end.ring[i]));
+    steepest = std::max(steepest, -dot(end.leave[i], out) / std::max(inward, kLeastInward));
+  }
+  end.lid = end.centre - out * ((kDepth + steepest) * rim.radius);
   return end;
 }
 

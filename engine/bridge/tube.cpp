@@ -269,11 +269,10 @@ mesh::TriMesh tubeBetween(const TubeEnd& from, const TubeEnd& to, const BridgePa
     tube.addRing(ring);
     std::swap(last, ring);
   }
-  constexpr double kLid = 0.2;  // of the radius
   const auto n = static_cast<std::uint32_t>(from.ring.size());
   const std::uint32_t foot = tube.count() - n;
-  tube.close(0, n, from.centre - from.out * (kLid * from.radius), false);
-  tube.close(foot, n, to.centre - to.out * (kLid * to.radius), true);
+  tube.close(0, n, from.lid, false);
+  tube.close(foot, n, to.lid, true);
   return tube.take();
 }
 

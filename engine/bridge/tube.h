@@ -17,7 +17,7 @@ struct TubeEnd {
   std::vector<ModelPoint> leave;  ///< unit, one a point: in which direction the tube leaves it
   ModelPoint out;                 ///< unit: in which the tube as a whole does
   double radius = 0;
-  ModelPoint centre;
+  ModelPoint centre, lid;  ///< `lid`: the point in the host from which a lid is laid to the ring
 };
 
 /// The closed tube. `flare`: 1, or less: its middle is that much less thin than the waist asks for.
