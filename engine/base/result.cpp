@@ -58,7 +58,7 @@ constexpr std::array kTexts = {
     ErrorText{Error::BridgeInvalid, "BridgeInvalid",
               "There is no room for a bridge there. Move its ends apart, or make them smaller."},
     ErrorText{Error::HostGone, "HostGone",
-              "A part that this bridge stands on is missing. Bring it back with Undo, or delete the bridge."},
+              "A part that this bridge stands on has no solid, or is gone. Mend it, undo, or delete the bridge."},
     ErrorText{Error::HostIsBridge, "HostIsBridge",
               "A bridge cannot stand on another bridge. Begin and end it on other parts."},
     ErrorText{Error::BridgeFollows, "BridgeFollows",

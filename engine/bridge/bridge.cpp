@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <new>
-#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "engine/bridge/tube.h"
 #include "engine/geometry/hermite.h"
 #include "engine/geometry/polyline.h"
+#include "engine/mesh/ray_hit.h"
 #include "engine/mesh/self_crossing.h"
 #include "engine/mesh/surface_places.h"
 
@@ -20,11 +19,12 @@ namespace {
 
 constexpr std::size_t kSides = 64;
 // What is tried until a tube does not go through itself: how much thinner its middle is, as a share of what is asked
-// for, and how much farther it goes out.
+// for, and how far it goes out, times what is asked for or (`arc`) the arc of a circle.
 struct Try {
   double flare, bow;
+  bool arc;
 };
-constexpr Try kTries[] = {{1, 1}, {0.5, 1}, {0.25, 1}, {1, 3}};
+constexpr Try kTries[] = {{1, 1, false}, {0.5, 1, false}, {0.25, 1, false}, {1, 1, true}, {0.5, 1, true}, {1, 3, true}};
 
 std::vector<ModelPoint> evenly(std::vector<ModelPoint> ring) {
   ring.push_back(ring.front());
@@ -166,26 +166,30 @@ double sagOf(const Laid& rim) {
 }
 
 // The end of a tube, a little below the surface: it then leaves it without a ledge, whatever the facets are.
-TubeEnd endOf(const Laid& rim, ModelPoint out) {
+TubeEnd endOf(const mesh::TriMesh& mesh, const Laid& rim, ModelPoint out) {
   constexpr double kSags = 2, kLeast = 3e-4;  // of the radius
   const double below = kSags * sagOf(rim) + kLeast * rim.radius;
   TubeEnd end{{}, coNormals(rim, out), out, rim.radius, {}, {}};
   for (std::size_t i = 0; i < kSides; ++i) end.ring.push_back(rim.points[i] - rim.normals[i] * below);
   end.centre = meanOf(end.ring);
   // The lid is steeper than the tube, which on a hollow surface begins downwards.
-  constexpr double kDepth = 0.2, kLeastInward = 0.3;
+  constexpr double kDepth = 0.2, kLeastInward = 0.3, kBegin = 0.01, kOfRoom = 0.5;
   double steepest = 0;
   for (std::size_t i = 0; i < kSides; ++i) {
     const double inward = dot(end.leave[i], normalized(end.centre - end.ring[i]));
     steepest = std::max(steepest, -dot(end.leave[i], out) / std::max(inward, kLeastInward));
   }
-  end.lid = end.centre - out * ((kDepth + steepest) * rim.radius);
+  // In a thin host it stays inside; the ray begins below the surface.
+  const ModelPoint from = end.centre - out * (kBegin * rim.radius);
+  const double room = mesh::firstHit(mesh, from, -out).far;
+  end.lid = end.centre - out * std::min((kDepth + steepest) * rim.radius, kBegin * rim.radius + kOfRoom * room);
   return end;
 }
 
 }  // namespace
 
 Result<Bridge> makeBridge(const Host& from, const Host& to, const BridgeParams& params, mesh::PictureSize picture) {
+  if (!isValid(params)) return {Error::BridgeInvalid, "its measures are out of range"};
   try {
     std::array<Laid, 2> laid;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -201,12 +205,12 @@ Result<Bridge> makeBridge(const Host& from, const Host& to, const BridgeParams& 
     // Counter-clockwise about the way, which enters the other host.
     if (dot(laid[0].area, out[0]) < 0) reverse(laid[0]);
     if (dot(laid[1].area, out[1]) > 0) reverse(laid[1]);
-    const TubeEnd start = endOf(laid[0], out[0]), end = endOf(laid[1], out[1]);
+    const TubeEnd start = endOf(from.mesh, laid[0], out[0]), end = endOf(to.mesh, laid[1], out[1]);
     Bridge bridge;
     for (std::size_t i = 0; i < 2; ++i) bridge.rims[i] = {laid[i].points, laid[i].centre, out[i]};
-    for (const auto& [flare, bow] : kTries) {
+    for (const auto& [flare, bow, arc] : kTries) {
       BridgeParams tried = params;
-      tried.bow *= bow;
+      tried.bow = arc ? bow : bow * params.bow;
       bridge.mesh = tubeBetween(start, end, tried, flare, picture);
       if (!mesh::selfCrossing(bridge.mesh)) return bridge;
     }

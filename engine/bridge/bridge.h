@@ -33,9 +33,9 @@ struct Bridge {
 
 /// The tube between two rims. At its rims it leaves the surfaces tangentially: across the rim, towards its inside or,
 /// where the rim runs round an arm, along the arm to the other end. Between them it follows a cubic that begins and
-/// ends square to the rims. Both hosts may be one. Where it would go through itself, its middle is made thicker, or it
-/// goes farther out. `picture`: in which the UV are. Errors: BridgeInvalid, with what; OutOfMemory. Cost: that of the
-/// triangles of the hosts times the points of the rims.
+/// ends square to the rims. Both hosts may be one. Where it would go through itself, its middle is thicker than asked
+/// for, or it goes less or farther out. `picture`: in which the UV are. Errors: BridgeInvalid, with what; OutOfMemory.
+/// Cost: that of the triangles of the hosts times the points of the rims.
 Result<Bridge> makeBridge(const Host& from, const Host& to, const BridgeParams& params, mesh::PictureSize picture);
 
 }  // namespace spineloft::bridge

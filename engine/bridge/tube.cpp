@@ -32,8 +32,8 @@ class Way {
  public:
   Way(const TubeEnd& from, const TubeEnd& to, double bow) {
     const ModelPoint chord = to.centre - from.centre;
-    const ModelPoint start = from.out * (bow * slopeOf(from.out, chord));
-    const ModelPoint end = to.out * (-bow * slopeOf(to.out, -chord));
+    const ModelPoint start = from.out * slopeOf(from.out, chord, bow);
+    const ModelPoint end = to.out * -slopeOf(to.out, -chord, bow);
     std::vector<ModelPoint> line;
     for (std::size_t i = 0; i <= kSteps; ++i) {
       const double u = static_cast<double>(i) / kSteps;
@@ -57,10 +57,11 @@ class Way {
 
  private:
   // The slope of the cubic that follows the arc of a circle over a chord, which it leaves at the angle α to it:
-  // |chord| / cos²(α / 2).
-  static double slopeOf(ModelPoint out, ModelPoint chord) {
+  // |chord| / cos²(α / 2); times `bow`, as far as it turns at all: 1 + (bow − 1) · (1 − cos α).
+  static double slopeOf(ModelPoint out, ModelPoint chord, double bow) {
     constexpr double kLeast = 0.2;  // α = 127°
-    return norm(chord) / std::max(kLeast, (1 + dot(out, normalized(chord))) / 2);
+    const double ahead = dot(out, normalized(chord)), turns = std::clamp(1 - ahead, 0.0, 1.0);
+    return norm(chord) * (1 + (bow - 1) * turns) / std::max(kLeast, (1 + ahead) / 2);
   }
 
   static constexpr std::size_t kSteps = 48;
@@ -265,7 +266,7 @@ mesh::TriMesh tubeBetween(const TubeEnd& from, const TubeEnd& to, const BridgePa
   surface.ringAt(1, 1, end);
   for (const double s : surface.rows()) {
     surface.ringAt(s, 1, ring);
-    if (s < 1 && (stepBetween(last, ring) < least || stepBetween(ring, end) < least)) continue;
+    if (s > 0 && s < 1 && (stepBetween(last, ring) < least || stepBetween(ring, end) < least)) continue;
     tube.addRing(ring);
     std::swap(last, ring);
   }

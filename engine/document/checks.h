@@ -45,8 +45,7 @@ Status checkView(const Document& document, PictureId picture, const PictureView&
 /// ValueOutOfRange (with what), ViewInvalid, StrokeNotFinite, RegionEmpty (a line of less than two points),
 /// RegionOutside, ShapeInvalid. Whether the outlines make a shape is only known when it is made.
 Status checkShape(const Document& document, const ShapeRecipe& recipe);
-/// A bridge in range. Whether its parts are there is not looked at: one that was deleted may come back. Errors:
-/// NoSuchPicture, ValueOutOfRange, with what.
+/// A bridge in range. Whether its parts are there is not looked at. Errors: NoSuchPicture, ValueOutOfRange, with what.
 Status checkBridge(const Document& document, const BridgeRecipe& recipe);
 
 /// Whether `picture` shows `front` from the right or the left.

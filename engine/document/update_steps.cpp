@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/document/checks.h"
+#include "engine/document/update_parts.h"
 
 namespace spineloft::document {
 namespace {
@@ -97,10 +98,7 @@ Status applyStep(Document& document, const ReleaseStep& action) {
 Status applyStep(Document& document, const DeleteStep& action) {
   if (findStep(document, action.step) == nullptr) return Error::NoSuchStep;
   const std::vector<PartId> parts = partsIn(document, {{}, action.step});
-  for (const PartId id : parts) {
-    takeOut(document, {id, {}});
-    std::erase_if(document.parts, [&](const Part& part) { return part.id == id; });
-  }
+  for (const PartId id : parts) erasePart(document, id);
   return Done{};
 }
 

@@ -385,6 +385,18 @@ Result<document::Drawing> drawingFrom(Json json, const Document& document, const
   return drawing;
 }
 
+/// A bridge whose part is not there stands on none, so that a later part with that id is not taken for it.
+void forgetHosts(Document& document) {
+  for (Box<Part>& box : document.parts) {
+    if (document::bridgeOf(*box) == nullptr) continue;
+    Part part = box;
+    for (document::BridgeEnd* end : {&document::bridgeOf(part)->from, &document::bridgeOf(part)->to}) {
+      if (document::findPart(document, end->part) == nullptr) end->part = {};
+    }
+    if (!(part == *box)) box = std::move(part);
+  }
+}
+
 void mendOrders(Document& document, ReadNotes& notes) {
   for (Box<document::Drawing>& box : document.drawings) {
     document::Drawing drawing = box;
@@ -485,6 +497,7 @@ Result<Document> documentFrom(Json json, const Reading& reading, MissingPhoto mi
     }
   }
   mendIds(document.parts, document.lastPartId, reading.notes);
+  forgetHosts(document);
   mendOrders(document, reading.notes);
   const ReadNotes before = reading.notes;
   mendGroups(document, reading.notes);

@@ -371,7 +371,7 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
     derived.drawings.push_back({drawing.id, std::move(plain.pieces), std::move(shape)});
   }
   derived.parts.resize(document.parts.size());
-  for (const bool bridges : {false, true}) {  // which stand on the others
+  for (const bool bridges : {false, true}) {  // last: they need the shapes of the others
     for (std::size_t i = 0; i < document.parts.size(); ++i) {
       const document::Part& part = document.parts[i];
       if ((bridgeOf(part) != nullptr) != bridges) continue;

@@ -107,7 +107,7 @@ test('two parts are joined by keys alone', () =>
     assert.ok((await state(page)).parts[2].bridge.from.radius > now.parts[2].bridge.from.radius);
   }));
 
-test('a bridge goes along with a part that is moved, while it is moved', () =>
+test('a bridge goes along with a part that is moved', () =>
   onPage(kit, {}, async (page) => {
     await balls(page);
     await run(page, 'bridge', { from: { part: 1, at: [400, 350] }, to: { part: 2, at: [650, 350] } });

@@ -1,7 +1,10 @@
 // Commands about bridges: tubes that join places of parts.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -112,9 +115,19 @@ Outcome bridgeRow(Env env, const Json& args) {
     recipe.bridge.bow = args.number("bow").value_or(recipe.bridge.bow);
     return drawBridge(env, recipe);
   }
-  const auto meant = meantParts(env, args);
+  auto meant = meantParts(env, args);
   if (!meant) return noPart();
-  if (meant->size() == 2) return bridgeBetween(env, (*meant)[0], (*meant)[1]);
+  if (const auto& ticked = env.ui.solids.picked; ticked.size() == 2 && args.find("parts") == nullptr) {
+    meant = {{ticked[0].part, ticked[1].part}};
+  }
+  const auto isHost = [&](PartId id) {
+    const document::Part* part = document::findPart(env.studio.document(), id);
+    return part != nullptr && document::bridgeOf(*part) == nullptr;
+  };
+  const bool named = args.find("parts") != nullptr;
+  if (meant->size() == 2 && (named || std::ranges::all_of(*meant, isHost))) {
+    return bridgeBetween(env, (*meant)[0], (*meant)[1]);
+  }
   return useBridge(env);
 }
 
@@ -136,8 +149,16 @@ constexpr std::array kTable = {
 
 }  // namespace
 
-Outcome drawBridge(Env env, const BridgeRecipe& recipe) {
-  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
+Outcome drawBridge(Env env, const BridgeRecipe& asked) {
+  // Where there is no room for one of the usual width, a narrower one may fit.
+  constexpr int kNarrower = 4;
+  BridgeRecipe recipe = asked;
+  Status made = checkMade(env, recipe);
+  for (int i = 0; i < kNarrower && !made.ok() && made.error() == Error::BridgeInvalid; ++i) {
+    widenBridge(recipe, 1 / kWider);
+    made = checkMade(env, recipe);
+  }
+  if (!made.ok()) return refuse(made.failure());
   const document::Document& document = env.studio.document();
   const document::Look look = bridgeLook(document, env.studio.derived(), recipe.from.part);
   const std::vector<document::Action> actions{document::DrawBridge{recipe.from, recipe.to, recipe.bridge, look},
@@ -147,12 +168,15 @@ Outcome drawBridge(Env env, const BridgeRecipe& recipe) {
   env.ui.focus = Focus::Solid;
   env.ui.selection = env.studio.document().parts.back()->id;
   env.ui.alsoSelected.clear();
+  env.ui.solids.picked.clear();
   env.ui.redraw = {};
   sendStatus(env.host, "The bridge joins them in one solid. Drag its ends to move them.");
   return {};
 }
 
-Outcome refuseBridge(Env) {
+Outcome refuseBridge(Env env, PartId from) {
+  const document::Part* part = document::findPart(env.studio.document(), from);
+  if (part != nullptr && document::bridgeOf(*part) != nullptr) return refuse({Error::HostIsBridge, {}});
   return Refusal{"NotNow", "A bridge ends on the solid. Drag from one place of it to another."};
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mesh/ray_hit.h"
 #include "web/commands/command_actions.h"
-#include "web/edit/picker.h"
 
 namespace spineloft::app {
 namespace {
@@ -55,7 +55,7 @@ std::optional<ModelPoint> placeOf(const mesh::TriMesh& mesh, const Json& place, 
   if (numbers->size() == 3) return ModelPoint{at[0], at[1], at[2]};
   const double way = back ? 1 : -1;
   const ModelPoint eye{at[0], -at[1], -way * kFar};
-  const double far = firstHitOf(mesh, eye, {0, 0, way});
+  const double far = mesh::firstHit(mesh, eye, {0, 0, way}).far;
   return std::isfinite(far) ? std::optional(eye + ModelPoint{0, 0, way * far}) : std::nullopt;
 }
 

@@ -132,8 +132,9 @@ Outcome setPull(const CommandEnv& env, PartId part, std::size_t number, const pu
 
 /// A new bridge, in one solid with the parts that it joins.
 Outcome drawBridge(const CommandEnv& env, const document::BridgeRecipe& recipe);
-/// A bridge ended beside the parts: says what to do.
-Outcome refuseBridge(const CommandEnv& env);
+/// A drag that makes no bridge, because it begins on another one or ends beside the parts: says what to do. `from`: the
+/// part that it begins on.
+Outcome refuseBridge(const CommandEnv& env, PartId from);
 /// An end of a bridge at another place, 0 or 1.
 Outcome moveBridgeEnd(const CommandEnv& env, PartId part, int end, const document::BridgeEnd& to);
 

@@ -366,15 +366,24 @@ void reportSolidSaving(Env env, const document::Document& before) {
 }
 
 Outcome deleteParts(Env env, const std::vector<PartId>& parts) {
-  std::vector<document::Action> actions;
-  for (const PartId id : parts) actions.push_back(document::DeletePart{id});
   const document::Document before = env.studio.document();
+  std::vector<document::Action> actions;
+  for (const bool bridges : {true, false}) {  // which go with what they stand on
+    for (const PartId id : parts) {
+      const document::Part* part = document::findPart(before, id);
+      if ((part != nullptr && document::bridgeOf(*part) != nullptr) == bridges) {
+        actions.push_back(document::DeletePart{id});
+      }
+    }
+  }
   const document::Part* first = parts.empty() ? nullptr : document::findPart(before, parts.front());
   if (const Status status = env.studio.act(actions); !status) return refuse(status.failure());
+  const std::size_t gone = before.parts.size() - env.studio.document().parts.size();
   if (first != nullptr && parts.size() == 1) {
-    sendStatus(env.host, words::tr("{name} is deleted.", {{"name", words::nameOf(first->name)}}));
+    const std::string_view sentence = gone > 1 ? "{name} is deleted, with the bridges on it." : "{name} is deleted.";
+    sendStatus(env.host, words::tr(sentence, {{"name", words::nameOf(first->name)}}));
   } else {
-    sendStatus(env.host, words::tr("{n} parts are deleted.", {{"n", parts.size()}}));
+    sendStatus(env.host, words::tr("{n} parts are deleted.", {{"n", gone}}));
   }
   reportSolidSaving(env, before);
   return {};

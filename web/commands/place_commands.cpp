@@ -106,6 +106,7 @@ Outcome movePartsRow(Env env, const Json& args) {
 /// The lead part's own numbers as far as `given` has them by their keys; the others of the selection go along with it.
 template <class Given>
 Outcome placeBy(Env env, const document::Part& lead, const Parts& parts, const Given& given) {
+  if (document::bridgeOf(lead) != nullptr) return refuse({Error::BridgeFollows, {}});
   const pipeline::Derived& derived = env.studio.derived();
   const Parts own{lead.id};
   const double mm = mmPerUnit(documentOf(env), derived);
@@ -235,7 +236,7 @@ Outcome resetPlace(Env env, const Json& args) {
 }
 
 Outcome dropOnFloor(Env env, const Json& args) {
-  const Parts parts = partsFrom(env, args);
+  const Parts parts = withHosts(documentOf(env), partsFrom(env, args));
   const pipeline::Derived& derived = env.studio.derived();
   const auto own = pipeline::boundsOf(documentOf(env), derived, parts);
   const auto others = pipeline::boundsWithout(documentOf(env), derived, parts);

@@ -8,10 +8,9 @@
 
 #include "engine/geometry/turn.h"
 #include "engine/mesh/laws.h"
+#include "engine/mesh/ray_hit.h"
 #include "engine/mesh/surface_places.h"
 #include "engine/pipeline/world.h"
-#include "web/edit/placing.h"
-#include "web/edit/preview.h"
 
 namespace spineloft::app {
 namespace {
@@ -108,19 +107,28 @@ std::optional<BridgePlace> bridgePlaceOn(const document::Document& document, con
 }
 
 std::optional<BridgePlace> bridgePlaceUnder(const document::Document& document, const pipeline::Derived& derived,
-                                            const UiState& ui, Picker& picker, ClientPoint at) {
-  constexpr double kOff = 0.01;  // of the part
-  std::vector<PartId> bridges;
-  for (const document::Part& part : document.parts) {
-    if (document::bridgeOf(part)) bridges.push_back(part.id);
-  }
+                                            const UiState& ui, ClientPoint at) {
   const Ray ray{ui.camera.eye(), rayThrough(ui.camera, ui.layout.solid, at)};
-  const RayHit hit = picker.firstHit(document, derived, ui, ray, bridges);
-  const auto host = hit ? hostOf(document, derived, hit.part) : std::nullopt;
-  if (!host) return std::nullopt;
-  const ModelPoint near = host->toWorld.toModel(hit.at);
-  const auto place = bridgePlaceOn(document, derived, hit.part, near);
-  return place && distance(place->at, near) <= kOff * sizeOf(*host->mesh) ? place : std::nullopt;
+  double nearest = std::numeric_limits<double>::infinity();
+  PartId part;
+  ModelPoint place;
+  bool onTwin = false;
+  for (const document::Part& one : document.parts) {
+    const auto host = hostOf(document, derived, one.id);
+    const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(one));
+    if (!host || entry == nullptr) continue;
+    const pipeline::Copies copies = pipeline::copiesInWorld(one, entry->size);
+    for (const pipeline::ToWorld& copy : copies) {
+      const ModelPoint eye = copy.toModel(ray.eye), way = copy.alongInModel(ray.direction);
+      const double far = mesh::firstHit(*host->mesh, eye, way).far;
+      if (!(far < nearest)) continue;
+      nearest = far;
+      part = one.id;
+      place = eye + way * far;
+      onTwin = &copy != copies.begin();
+    }
+  }
+  return part && !onTwin ? bridgePlaceOn(document, derived, part, place) : std::nullopt;
 }
 
 std::optional<FacingPlaces> facingPlaces(const document::Document& document, const pipeline::Derived& derived,
@@ -150,11 +158,13 @@ std::optional<FacingPlaces> facingPlaces(const document::Document& document, con
 document::BridgeRecipe usualBridge(const document::Document& document, const BridgePlace& from, const BridgePlace& to,
                                    double width) {
   // Wide where two surfaces face each other, narrow where they lie side by side, as under the handle of a cup.
-  constexpr double kFacing = 0.95, kBeside = 0.25, kOfRoom = 0.6;
+  constexpr double kFacing = 0.95, kBeside = 0.25, kOfRoom = 0.6, kNarrowGap = 0.35;
   const double length = distance(from.inWorld, to.inWorld), alike = (1 + dot(from.out, to.out)) / 2;
-  const double most = std::lerp(kFacing, kBeside, alike) * length;
   const double fits = kOfRoom * std::min(from.room * from.scale, to.room * to.scale);
-  const double radius = width * std::min(most, fits);
+  // A narrow gap between two parts is filled; on one part rims would meet.
+  const bool isHandle = from.part == to.part;
+  const double most = std::lerp(isHandle ? kBeside : kFacing, kBeside, alike) * length;
+  const double radius = width * std::clamp(most, isHandle ? 0 : kNarrowGap * fits, fits);
   const document::Part* host = document::findPart(document, from.part);
   document::BridgeRecipe recipe;
   recipe.picture = host ? document::pictureOf(*host) : PictureId{};
@@ -163,6 +173,11 @@ document::BridgeRecipe usualBridge(const document::Document& document, const Bri
     end->rim = circle(place->at, place->normal, std::max(kLeastRadius, radius / place->scale));
   }
   return recipe;
+}
+
+bool areApart(const BridgePlace& from, const BridgePlace& to) {
+  constexpr double kLeast = 0.4;  // of the room
+  return from.part != to.part || distance(from.inWorld, to.inWorld) >= kLeast * from.room * from.scale;
 }
 
 document::Look bridgeLook(const document::Document& document, const pipeline::Derived& derived, PartId from) {
@@ -210,39 +225,6 @@ std::optional<document::BridgeEnd> carriedEnd(const document::Document& document
     carried.rim.push_back(to.at + geometry::turned(turn, p - middle) * (from->scale / to.scale));
   }
   return carried;
-}
-
-ShownBridge bridgeInHand(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
-  if (ui.tool != ToolKind::Bridge) return {};
-  const document::Part* part = document::findPart(document, ui.selection);
-  const auto made = std::ranges::find(derived.parts, ui.selection, &pipeline::DerivedPart::id);
-  if (part == nullptr || !document::bridgeOf(*part) || made == derived.parts.end()) return {};
-  const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
-  if (entry == nullptr || !pipeline::isVisible(document, *part)) return {};
-  ShownBridge bridge{part, document::bridgeOf(*part), made->shape.get(), shownCopies(ui, *part, entry->size)};
-  if (const Preview* preview = previewOf(ui, part->id)) {
-    const auto* recipe = std::get_if<document::BridgeRecipe>(&preview->recipe);
-    if (recipe != nullptr) bridge.recipe = recipe;
-    bridge.shape = &*preview->shape;
-  }
-  if (bridge.shape != nullptr && bridge.shape->rims.size() != 2) return {};
-  return bridge;
-}
-
-std::optional<ClientPoint> rimKnob(const ShownBridge& bridge, const UiState& ui, int end) {
-  const bridge::Rim& rim = bridge.shape->rims[static_cast<std::size_t>(end)];
-  return pointOnCanvas(ui.camera, ui.layout.solid, (*bridge.copies.begin())(rim.centre));
-}
-
-int rimKnobAt(const ShownBridge& bridge, const UiState& ui, ClientPoint at, double reach) {
-  int found = -1;
-  for (int end = 0; bridge && end < 2; ++end) {
-    const auto knob = rimKnob(bridge, ui, end);
-    if (!knob || distance(*knob, at) > reach) continue;
-    reach = distance(*knob, at);
-    found = end;
-  }
-  return found;
 }
 
 }  // namespace spineloft::app

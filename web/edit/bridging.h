@@ -7,7 +7,6 @@
 #include "engine/document/document.h"
 #include "engine/pipeline/derive.h"
 #include "web/edit/outline.h"
-#include "web/edit/picker.h"
 #include "web/ui/ui_state.h"
 
 namespace spineloft::app {
@@ -23,10 +22,10 @@ struct BridgePlace {
 /// The place of a part nearest to one in its space. None: the part is hidden, a bridge, or has no shape.
 std::optional<BridgePlace> bridgePlaceOn(const document::Document& document, const pipeline::Derived& derived,
                                          PartId part, ModelPoint near);
-/// What lies first under a place of the canvas, CSS pixels; bridges are seen through. None as well on the twin of a
-/// part.
+/// What lies first under a place of the canvas, CSS pixels: of the parts as they are without solids, whose surface has
+/// no hole where a bridge stands. Bridges are seen through. None as well on the twin of a part.
 std::optional<BridgePlace> bridgePlaceUnder(const document::Document& document, const pipeline::Derived& derived,
-                                            const UiState& ui, Picker& picker, ClientPoint at);
+                                            const UiState& ui, ClientPoint at);
 /// The places of two parts that are nearest to each other.
 struct FacingPlaces {
   BridgePlace from, to;
@@ -38,6 +37,8 @@ std::optional<FacingPlaces> facingPlaces(const document::Document& document, con
 /// A bridge between two places with round rims, `width` times as wide as usual.
 document::BridgeRecipe usualBridge(const document::Document& document, const BridgePlace& from, const BridgePlace& to,
                                    double width);
+/// Whether a drag from one to the other means a bridge: two places of one part are not almost the same.
+bool areApart(const BridgePlace& from, const BridgePlace& to);
 /// How it looks: as the part that it begins on, in the mean colour of its picture where it has that on.
 document::Look bridgeLook(const document::Document& document, const pipeline::Derived& derived, PartId from);
 /// Its rims are larger about their middles.
@@ -57,7 +58,9 @@ struct ShownBridge {
 ShownBridge bridgeInHand(const document::Document& document, const pipeline::Derived& derived, const UiState& ui);
 /// Where an end of it is held, 0 or 1, CSS pixels of the canvas. None: behind the eye.
 std::optional<ClientPoint> rimKnob(const ShownBridge& bridge, const UiState& ui, int end);
-/// The nearest one within reach; −1: none.
+/// Whether the surface under an end is turned to the eye.
+bool rimFaces(const ShownBridge& bridge, const UiState& ui, int end);
+/// The nearest one within reach that is turned to the eye; −1: none.
 int rimKnobAt(const ShownBridge& bridge, const UiState& ui, ClientPoint at, double reach);
 
 }  // namespace spineloft::app

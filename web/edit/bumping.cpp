@@ -9,7 +9,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/geometry/polyline.h"
-#include "web/edit/picker.h"
+#include "engine/mesh/ray_hit.h"
 
 namespace spineloft::app {
 namespace {
@@ -120,7 +120,7 @@ std::optional<ModelPoint> topOf(const mesh::TriMesh& mesh, const std::vector<Mod
   std::optional<ModelPoint> top;
   for (const double way : {1.0, -1.0}) {
     const ModelPoint out = flat.normal() * way, from = middle - out * (kAbove * flat.radius());
-    const double far = firstHitOf(mesh, from, out);
+    const double far = mesh::firstHit(mesh, from, out).far;
     if (!std::isfinite(far)) continue;
     const ModelPoint hit = from + out * far;
     if (!top || distance(hit, middle) < distance(*top, middle)) top = hit;

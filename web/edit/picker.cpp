@@ -4,48 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/mesh/ray_hit.h"
 #include "web/edit/placing.h"
 
 namespace spineloft::app {
 namespace {
 
 constexpr std::size_t kRun = 64;  // triangles a box
-
-/// Triangles first … last − 1.
-struct Run {
-  std::size_t first = 0, last = 0;
-};
-
-/// Where a ray in ModelSpace meets the mesh first, as a multiple of its direction (Möller and
-/// Trumbore 1997).
-struct MeshHit {
-  double far = std::numeric_limits<double>::infinity();
-  std::size_t triangle = 0;
-};
-MeshHit hitOf(const mesh::TriMesh& mesh, Run run, ModelPoint eye, ModelPoint direction) {
-  MeshHit nearest;
-  const auto corner = [&](std::uint32_t vertex) {
-    const auto& p = mesh.positions[vertex];
-    return ModelPoint{p[0], p[1], p[2]};
-  };
-  for (std::size_t i = run.first; i < run.last; ++i) {
-    const auto& triangle = mesh.triangles[i];
-    const ModelPoint a = corner(triangle[0]);
-    const ModelPoint ab = corner(triangle[1]) - a, ac = corner(triangle[2]) - a;
-    const ModelPoint h = cross(direction, ac);
-    const double det = dot(ab, h);
-    if (det == 0) continue;
-    const ModelPoint s = eye - a;
-    const double u = dot(s, h) / det;
-    if (u < 0 || u > 1) continue;
-    const ModelPoint q = cross(s, ab);
-    const double v = dot(direction, q) / det;
-    if (v < 0 || u + v > 1) continue;
-    const double t = dot(ac, q) / det;
-    if (t > 0 && t < nearest.far) nearest = {t, i};
-  }
-  return nearest;
-}
 
 WorldPoint normalOf(const mesh::TriMesh& mesh, std::size_t triangle, const pipeline::ToWorld& toWorld) {
   const auto& [a, b, c] = mesh.triangles[triangle];
@@ -74,10 +39,6 @@ double toBox(const Box& box, ModelPoint eye, ModelPoint direction) {
 }
 
 }  // namespace
-
-double firstHitOf(const mesh::TriMesh& mesh, ModelPoint eye, ModelPoint direction) {
-  return hitOf(mesh, {0, mesh.triangles.size()}, eye, direction).far;
-}
 
 const Picker::Entry& Picker::entryOf(const std::shared_ptr<const pipeline::PartShape>& shape) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.shape.expired(); });
@@ -124,8 +85,8 @@ RayHit Picker::firstHit(const document::Document& document, const pipeline::Deri
       if (!(toBox(entry.whole, eye, direction) < nearest)) continue;
       for (std::size_t run = 0; run < entry.runs.size(); ++run) {
         if (!(toBox(entry.runs[run], eye, direction) < nearest)) continue;
-        const Run triangles{run * kRun, std::min((run + 1) * kRun, shape->mesh.triangles.size())};
-        const MeshHit hit = hitOf(shape->mesh, triangles, eye, direction);
+        const std::size_t last = std::min((run + 1) * kRun, shape->mesh.triangles.size());
+        const mesh::RayHit hit = mesh::firstHit(shape->mesh, eye, direction, run * kRun, last);
         if (hit.far >= nearest) continue;
         nearest = hit.far;
         best = {part.id, ray.eye + ray.direction * hit.far, normalOf(shape->mesh, hit.triangle, toWorld)};
@@ -138,7 +99,7 @@ RayHit Picker::firstHit(const document::Document& document, const pipeline::Deri
     const ModelPoint eye{ray.eye.x, ray.eye.y, ray.eye.z}, direction{ray.direction.x, ray.direction.y, ray.direction.z};
     for (const pipeline::SolidPiece& piece : shown->solid->pieces) {
       if (std::ranges::count(without, piece.part) > 0) continue;
-      const MeshHit hit = hitOf(piece.mesh, {0, piece.mesh.triangles.size()}, eye, direction);
+      const mesh::RayHit hit = mesh::firstHit(piece.mesh, eye, direction);
       if (hit.far >= nearest) continue;
       nearest = hit.far;
       best = {piece.part, ray.eye + ray.direction * hit.far, normalOf(piece.mesh, hit.triangle, pipeline::ToWorld{})};

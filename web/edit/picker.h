@@ -19,9 +19,6 @@ struct RayHit {
   explicit operator bool() const { return static_cast<bool>(part); }
 };
 
-/// Where a ray in ModelSpace meets a mesh first, as a multiple of its direction; infinite where it does not.
-double firstHitOf(const mesh::TriMesh& mesh, ModelPoint eye, ModelPoint direction);
-
 class Picker {
  public:
   /// Of the visible parts but those in `without`, where they are shown (a twin counts as its part).

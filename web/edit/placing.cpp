@@ -28,6 +28,22 @@ document::Placement withPivot(const document::Document& document, const document
 
 }  // namespace
 
+std::vector<PartId> withHosts(const document::Document& document, std::span<const PartId> parts) {
+  std::vector<PartId> all;
+  const auto add = [&](PartId id) {
+    if (std::ranges::count(all, id) == 0) all.push_back(id);
+  };
+  for (const PartId id : parts) {
+    const document::Part* part = document::findPart(document, id);
+    if (const document::BridgeRecipe* bridge = part ? document::bridgeOf(*part) : nullptr) {
+      add(bridge->from.part);
+      add(bridge->to.part);
+    }
+    add(id);
+  }
+  return all;
+}
+
 std::vector<PartId> withGroup(const document::Document& document, PartId id) {
   const document::Part* part = document::findPart(document, id);
   if (part == nullptr) return {};
@@ -109,7 +125,8 @@ std::optional<WorldPoint> centreOf(const document::Document& document, const pip
 }
 
 std::vector<PlaceParts::One> movedParts(const document::Document& document, const pipeline::Derived& derived,
-                                        std::span<const PartId> parts, const document::Motion& motion) {
+                                        std::span<const PartId> asked, const document::Motion& motion) {
+  const std::vector<PartId> parts = withHosts(document, asked);
   std::vector<PlaceParts::One> moved;
   bool planesToo = false;
   for (const PartId id : parts) {
@@ -123,7 +140,8 @@ std::vector<PlaceParts::One> movedParts(const document::Document& document, cons
     if (const mesh::TriMesh* shape = shapeOf(derived, id)) {
       placement = withPivot(document, *part, placement, *shape);
     }
-    PlaceParts::One one{id, document::moved(placement, motion), part->mirror};
+    const bool follows = document::bridgeOf(*part) != nullptr;
+    PlaceParts::One one{id, follows ? part->placement : document::moved(placement, motion), part->mirror};
     if (one.mirror && planesToo) one.mirror = document::moved(*one.mirror, motion);
     moved.push_back(one);
   }

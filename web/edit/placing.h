@@ -22,6 +22,8 @@ bool isSelected(const document::Document& document, const UiState& ui, PartId pa
 void addToSelection(const document::Document& document, UiState& ui, PartId part);
 /// The part with the rest of its group.
 std::vector<PartId> withGroup(const document::Document& document, PartId part);
+/// The parts, and before each bridge what it stands on: that goes along with it.
+std::vector<PartId> withHosts(const document::Document& document, std::span<const PartId> parts);
 
 /// Where a part is shown now: where the gesture in hand has it, else where it stands.
 document::PlaceParts::One standOf(const UiState& ui, const document::Part& part);
@@ -36,7 +38,8 @@ std::optional<WorldPoint> centreOf(const document::Document& document, const pip
                                    const UiState& ui, std::span<const PartId> parts);
 
 /// The parts after a motion. Planes of live symmetry go along when something moves that has none: an
-/// ear moves against its twin, a whole animal takes both along.
+/// ear moves against its twin, a whole animal takes both along. A bridge takes along what it stands on, which comes
+/// before it.
 std::vector<document::PlaceParts::One> movedParts(const document::Document& document, const pipeline::Derived& derived,
                                                   std::span<const PartId> parts, const document::Motion& motion);
 

@@ -6,7 +6,7 @@
 
 #include "engine/geometry/polyline.h"
 #include "engine/mesh/laws.h"
-#include "web/edit/picker.h"
+#include "engine/mesh/ray_hit.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 
@@ -86,7 +86,7 @@ std::optional<SurfacePlace> surfaceUnder(const PulledPart& part, const Ray& ray)
   for (const pipeline::ToWorld& toWorld : part.copies) {
     ++copy;
     const ModelPoint eye = toWorld.toModel(ray.eye), way = toWorld.alongInModel(ray.direction);
-    const double far = firstHitOf(part.shape->mesh, eye, way);
+    const double far = mesh::firstHit(part.shape->mesh, eye, way).far;
     if (!(far < nearest)) continue;
     nearest = far;
     place = {eye + way * far, copy - 1};

@@ -181,6 +181,14 @@ std::vector<PicturePoint> Derivation::strokeOnThing(const document::LoftRecipe& 
   return pipeline::strokeOnThing(document(), recipe, cache_);
 }
 
+namespace {
+
+bool hasBridges(const document::Document& document) {
+  return std::ranges::any_of(document.parts, [](const document::Part& part) { return document::bridgeOf(part); });
+}
+
+}  // namespace
+
 void Derivation::carryBridges(const document::Document& document, const publish::Substitute* instead) {
   for (pipeline::DerivedPart& derived : preview_->parts) {
     const document::Part* part = document::findPart(document, derived.id);
@@ -199,16 +207,16 @@ void Derivation::carryBridges(const document::Document& document, const publish:
       key = ShapeKey{Hasher().text("carried").number(key.hash).number(instead->key.hash).value()};
     }
     if (derived.shape->key == key) continue;
-    Result<pipeline::PartShape> made = pipeline::bridgeStage(*bridge, document, *from, *to);
-    if (!made) continue;
     auto shape = std::make_shared<pipeline::PartShape>(*derived.shape);
-    shape->mesh = std::move(made.value().mesh);
-    shape->rims = std::move(made.value().rims);
-    if (!part->pulls.empty()) {
-      const Status pulled = pipeline::pullStage(part->pulls, {}, pipeline::TraceQuality::Live, cache_, *shape);
-      if (!pulled) continue;
+    if (Result<pipeline::PartShape> made = pipeline::bridgeStage(*bridge, document, *from, *to)) {
+      shape->mesh = std::move(made.value().mesh);
+      shape->rims = std::move(made.value().rims);
+      // A failure leaves the mesh without its pulls: better than none while a hand moves.
+      if (!part->pulls.empty()) {
+        static_cast<void>(pipeline::pullStage(part->pulls, {}, pipeline::TraceQuality::Live, cache_, *shape));
+      }
     }
-    shape->key = key;
+    shape->key = key;  // one that cannot be made stays as it was, and is not tried again
     derived.shape = std::move(shape);
   }
 }
@@ -221,11 +229,11 @@ void Derivation::layPreview(const document::Document& document, const publish::S
 }
 
 void Derivation::previewSolid(const publish::Substitute& instead) {
-  if (!document().steps.empty()) layPreview(document(), &instead);
+  if (!document().steps.empty() || hasBridges(document())) layPreview(document(), &instead);
 }
 
 void Derivation::previewPlaced(const document::PlaceParts& places) {
-  if (document().steps.empty()) return;
+  if (document().steps.empty() && !hasBridges(document())) return;
   if (const Result<document::Document> placed = document::update(document(), places)) {
     layPreview(placed.value(), nullptr);
   }

@@ -36,6 +36,10 @@ bool regionDiffers(const Part& a, const Part& b) {
   const document::Region *x = document::regionOf(a.recipe), *y = document::regionOf(b.recipe);
   return x && y && !(*x == *y);
 }
+bool bridgeDiffers(const Part& a, const Part& b) {
+  const document::BridgeRecipe *x = document::bridgeOf(a), *y = document::bridgeOf(b);
+  return x && y && !(*x == *y);
+}
 template <auto Member>
 bool differs(const Part& a, const Part& b) {
   return !(a.*Member == b.*Member);
@@ -52,6 +56,7 @@ constexpr std::array kAspects = {
         "Twist and depth",
         lofted<&loft::LoftParams::twist, &loft::LoftParams::squash, &loft::LoftParams::tilt, &loft::LoftParams::bulge>},
     Aspect{"Outline", regionDiffers},
+    Aspect{"Bridge", bridgeDiffers},
     Aspect{"Shape", differs<&Part::recipe>},
     Aspect{"Pull", differs<&Part::pulls>},
     Aspect{"Colour", differs<&Part::look>},

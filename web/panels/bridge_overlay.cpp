@@ -56,7 +56,7 @@ void drawBridge(const PanelEnv& env) {
       strokeLine(list, rim, pen, ImDrawFlags_Closed);
     }
     const auto at = app::rimKnob(bridge, ui, end);
-    if (!at) continue;
+    if (!at || !app::rimFaces(bridge, ui, end)) continue;
     const float radius = ui.hover.rim == end ? 9.f : 7.f;
     list.AddCircleFilled(toImGui(*at), radius + 2.5f, kHalo, 28);
     list.AddCircleFilled(toImGui(*at), radius, colour, 28);

@@ -13,18 +13,18 @@ void BridgeTool::begin(const ToolEnv& env, const ToolEvent& event) {
     rim_ = under.rim;
     part_ = env.ui.selection;
   } else {
-    from_ = app::bridgePlaceUnder(env.document, env.derived, env.ui, *env.picker, event.at);
+    from_ = app::bridgePlaceUnder(env.document, env.derived, env.ui, event.at);
   }
 }
 
 void BridgeTool::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
   if (!watch_.moved() || (rim_ < 0 && !from_)) return;
-  const auto to = app::bridgePlaceUnder(env.document, env.derived, env.ui, *env.picker, event.at);
+  const auto to = app::bridgePlaceUnder(env.document, env.derived, env.ui, event.at);
   if (rim_ < 0) {
     env.ui.inHand.besideSolid = {watch_.start(), event.at};
     made_.reset();
-    if (!to) {
+    if (!to || !app::areApart(*from_, *to)) {
       env.ui.preview.reset();
       return;
     }
@@ -56,8 +56,8 @@ void BridgeTool::commit(const ToolEnv& env) {
     if (made_) env.sink.run(app::moveBridgeEnd, part_, rim_, rim_ == 0 ? made_->from : made_->to);
   } else if (made_) {
     env.sink.run(app::drawBridge, *made_);
-  } else if (from_) {
-    env.sink.run(app::refuseBridge);
+  } else {
+    env.sink.run(app::refuseBridge, pressed_);
   }
 }
 

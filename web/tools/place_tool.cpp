@@ -47,6 +47,7 @@ void PlaceTool::begin(const ToolEnv& env, const ToolEvent& event) {
     drag_.gizmo.unit = 2 * app::kHalfHeight * away / std::max(1.0, drag_.view.height);
     drag_.gizmo.at = app::pointOnCanvas(drag_.camera, drag_.view, drag_.gizmo.centre).value_or(event.at);
   }
+  parts_ = app::withHosts(env.document, parts_);
   env.ui.held = drag_.handle;
 }
 

@@ -119,6 +119,15 @@ TEST_CASE("both ends lie in their balls, so that all three are one piece") {
   CHECK(distance(at(bridge.mesh, count - 1), b) < apothem(80));
 }
 
+TEST_CASE("an end of a bridge stays inside of a thin host") {
+  const mesh::TriMesh plate = testing::box(400, 400, 8), other = ball({200, 200, 200}, 60);
+  const Bridge bridge =
+      made({plate, circle({200, 200, 8}, {0, 0, 1}, 70)}, {other, onBall({200, 200, 200}, 60, {0, 0, -1}, 30)});
+  const ModelPoint lid = at(bridge.mesh, static_cast<std::uint32_t>(bridge.mesh.positions.size() - 2));
+  CHECK(lid.z > 1);
+  CHECK(lid.z < 8);
+}
+
 TEST_CASE("a handle goes out of a ball and back into it, farther out with a larger bow") {
   const mesh::TriMesh host = ball({}, 80);
   const Points up = onBall({}, 80, {1, 0.6, 0}, 12), down = onBall({}, 80, {1, -0.6, 0}, 12);

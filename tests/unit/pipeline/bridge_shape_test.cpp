@@ -9,7 +9,7 @@
 
 #include "engine/document/renumber.h"
 #include "engine/document/update.h"
-#include "engine/io/document_json.h"
+#include "engine/io/project_file.h"
 #include "engine/io/share_text.h"
 #include "engine/mesh/surface_places.h"
 #include "engine/pipeline/derive.h"
@@ -149,6 +149,9 @@ TEST_CASE("a part that goes takes its bridges with it, and its solid stays as fa
   CHECK(left.steps.empty());
   CHECK(after(document, {DeletePart{kBridge}}).steps.size() == 1);
   CHECK(after(document, {DeleteStep{document.steps[0]->id}}).parts.empty());
+  const Document beside =
+      after(twoBalls(), {CombineParts{StepKind::Join, {{kLeft, {}}, {kRight, {}}}, Step{}.wall, {}}});
+  CHECK(after(beside, {DeleteStep{beside.steps[0]->id}}).parts.empty());
 }
 
 TEST_CASE("what a bridge cannot stand on is refused by name, and one without its part says so") {
@@ -193,6 +196,16 @@ TEST_CASE("the key of a bridge follows its rims, its measures, its parts and the
   CHECK(changed(PlaceParts{{{kLeft, placement, {}}}}));
   CHECK_FALSE(changed(RenamePart{kLeft, "Other"}));
   CHECK_FALSE(changed(PlaceParts{{{kBridge, placement, {}}}}));
+}
+
+TEST_CASE("a bridge read without its part stands on none, so that no later part is taken for it") {
+  Document broken = twoBalls();
+  broken.parts.erase(broken.parts.begin() + 1);
+  broken.lastPartId = 3;
+  const auto read = io::readDocument(io::writeDocument(broken), {});
+  REQUIRE(read.ok());
+  CHECK(bridgeOf(*read.value().parts[1])->to.part == PartId{});
+  CHECK(bridgeOf(*read.value().parts[1])->from.part == kLeft);
 }
 
 TEST_CASE("a bridge comes back from files and links, with the new ids of its parts") {

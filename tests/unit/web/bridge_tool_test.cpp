@@ -115,6 +115,40 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a bridge goes along while a part that it stands on is dragged, in a solid and beside one") {
+  for (const bool inSolid : {true, false}) {
+    CAPTURE(inSolid);
+    Bridges page;
+    page.drag(page.onCanvas(330, 300), page.onCanvas(740, 300));
+    if (!inSolid) CHECK(page.works("release", R"({"step": 1})"));
+    CHECK(page.works("move"));
+    CHECK(page.works("select-part", R"({"id": 2})"));
+    const auto end = [&] { return *page.part(2).find("bridge")->find("to")->find("at")->array()->at(1).number(); };
+    const double before = end();
+    const Place from = page.onCanvas(790, 300);
+    page.pointer(platform::PointerKind::Down, from.x, from.y);
+    for (int i = 1; i <= 8; ++i) {
+      page.pointer(platform::PointerKind::Move, from.x, from.y - 6 * i);
+      page.settle(2);
+    }
+    CHECK(end() > before + 20);
+    page.key("Escape", "Escape");
+    page.pointer(platform::PointerKind::Up, from.x, from.y - 48);
+    page.settle(60);
+    CHECK(end() == doctest::Approx(before).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a bridge that is dragged with the tool that moves takes its parts along") {
+  Bridges page;
+  page.drag(page.onCanvas(330, 300), page.onCanvas(740, 300));
+  CHECK(page.works("move-parts", R"({"parts": [3], "move": [0, 0.1, 0]})"));
+  for (const std::size_t i : {0u, 1u}) {
+    CHECK(*page.part(i).find("placement")->find("move")->array()->at(1).number() == doctest::Approx(0.1));
+  }
+  CHECK(page.fault("set-place", R"({"part": 3, "x": 10})") == "BridgeFollows");
+}
+
 TEST_CASE("two parts in hand are joined where they are nearest, by keys alone; it gets wider and thinner") {
   Bridges page;
   CHECK(page.works("draw"));
@@ -149,6 +183,10 @@ TEST_CASE("programs name places, and what makes no bridge is refused in a senten
   CHECK(page.fault("bridge", R"({"from": {"part": 1, "at": [340, 300]}, "to": {"part": 1, "at": [340, 300]}})") != "");
   CHECK(page.fault("bridge", R"({"parts": [1, 3]})") != "");
   CHECK(page.parts() == 3);
+  CHECK(page.works("select-all"));
+  CHECK(page.works("delete-part"));
+  CHECK(page.parts() == 0);
+  CHECK(page.works("undo"));
   // A part that goes takes its bridge along; undo brings both back.
   CHECK(page.works("delete-part", R"({"part": 2})"));
   CHECK(page.parts() == 1);
