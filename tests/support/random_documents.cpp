@@ -343,6 +343,10 @@ struct Make<SetPulls> {
 };
 BridgeEnd anyBridgeEnd(Rng& rng, const Document& d) {
   BridgeEnd end{anyPart(rng, d), {}};
+  for (int i = 0; i < 3; ++i) {  // mostly on what is none itself
+    const Part* host = findPart(d, end.part);
+    if (host == nullptr || bridgeOf(*host) != nullptr) end.part = anyPart(rng, d);
+  }
   const ModelPoint middle{rng.uniform(10, 80), rng.uniform(-80, -10), rng.uniform(-20, 20)};
   const double radius = rng.uniform(1, 12);
   for (int i = 0; i < 6; ++i) end.rim.push_back(middle + ModelPoint{radius * std::cos(i), radius * std::sin(i), 0});

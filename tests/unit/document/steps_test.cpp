@@ -108,7 +108,7 @@ TEST_CASE("steps of random sessions are forests of sound steps") {
     CAPTURE(seed);
     Document document = withParts(6);
     Rng rng(seed);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 150; ++i) {
       CAPTURE(i);
       Action action = randomAction(rng, document);
       if (std::holds_alternative<RemovePicture>(action)) continue;

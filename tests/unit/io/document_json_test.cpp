@@ -102,7 +102,7 @@ void spoil(Json& json, Rng& rng, int& countdown) {
 TEST_CASE("every document of random sessions comes back equal from its JSON") {
   ActionCounts succeeded{};
   for (const std::uint64_t seed : testing::seeds(0, 60)) {
-    const std::vector<Document> documents = randomSession(seed, 90, &succeeded);
+    const std::vector<Document> documents = randomSession(seed, 130, &succeeded);
     for (std::size_t i = seed % 7; i < documents.size(); i += 7) {
       ReadNotes notes;
       const std::string text = writeDocument(documents[i]);
@@ -260,6 +260,10 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
       if (ElementRecipe* element = elementOf(part)) lift(element->drawing);
       setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
       for (Outline* outline : outlinesOf(part.recipe)) lift(outline->picture);
+      if (BridgeRecipe* bridge = bridgeOf(part)) {
+        lift(bridge->from.part);
+        lift(bridge->to.part);
+      }
     });
     each(large.steps, [&](Step& step) {
       lift(step.id);
