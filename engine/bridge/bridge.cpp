@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <optional>
 #include <utility>
@@ -165,6 +166,19 @@ double sagOf(const Laid& rim) {
   return sag;
 }
 
+// How far below the middle of a rim the middle of the host's wall is. On a hollow surface the middle of a rim lies
+// above it: the wall then begins where the way down enters it.
+double middleOfWall(const mesh::TriMesh& mesh, ModelPoint centre, ModelPoint out, double radius) {
+  constexpr double kBegin = 0.01;  // of the radius: below the surface that it begins on
+  double passed = kBegin * radius;
+  mesh::RayHit hit = mesh::firstHit(mesh, centre - out * passed, -out);
+  if (std::isfinite(hit.far) && dot(mesh::areaNormal(mesh, static_cast<std::uint32_t>(hit.triangle)), out) > 0) {
+    passed += hit.far + kBegin * radius;
+    hit = mesh::firstHit(mesh, centre - out * passed, -out);
+  }
+  return passed + hit.far / 2;
+}
+
 // The end of a tube, a little below the surface: it then leaves it without a ledge, whatever the facets are.
 TubeEnd endOf(const mesh::TriMesh& mesh, const Laid& rim, ModelPoint out) {
   constexpr double kSags = 2, kLeast = 3e-4;  // of the radius
@@ -173,16 +187,14 @@ TubeEnd endOf(const mesh::TriMesh& mesh, const Laid& rim, ModelPoint out) {
   for (std::size_t i = 0; i < kSides; ++i) end.ring.push_back(rim.points[i] - rim.normals[i] * below);
   end.centre = meanOf(end.ring);
   // The lid is steeper than the tube, which on a hollow surface begins downwards.
-  constexpr double kDepth = 0.2, kLeastInward = 0.3, kBegin = 0.01, kOfRoom = 0.5;
+  constexpr double kDepth = 0.2, kLeastInward = 0.3;
   double steepest = 0;
   for (std::size_t i = 0; i < kSides; ++i) {
     const double inward = dot(end.leave[i], normalized(end.centre - end.ring[i]));
     steepest = std::max(steepest, -dot(end.leave[i], out) / std::max(inward, kLeastInward));
   }
-  // In a thin host it stays inside; the ray begins below the surface.
-  const ModelPoint from = end.centre - out * (kBegin * rim.radius);
-  const double room = mesh::firstHit(mesh, from, -out).far;
-  end.lid = end.centre - out * std::min((kDepth + steepest) * rim.radius, kBegin * rim.radius + kOfRoom * room);
+  const double depth = std::min((kDepth + steepest) * rim.radius, middleOfWall(mesh, end.centre, out, rim.radius));
+  end.lid = end.centre - out * depth;
   return end;
 }
 

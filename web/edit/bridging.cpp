@@ -25,7 +25,7 @@ struct Host {
   const mesh::TriMesh* mesh;
   pipeline::ToWorld toWorld;
 };
-std::optional<Host> hostOf(const document::Document& document, const pipeline::Derived& derived, PartId id) {
+std::optional<Host> shownHost(const document::Document& document, const pipeline::Derived& derived, PartId id) {
   const document::Part* part = document::findPart(document, id);
   const auto made = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
   if (part == nullptr || document::bridgeOf(*part) || made == derived.parts.end() || !made->shape) return std::nullopt;
@@ -99,7 +99,7 @@ ModelPoint middleOf(const std::vector<ModelPoint>& rim) {
 
 std::optional<BridgePlace> bridgePlaceOn(const document::Document& document, const pipeline::Derived& derived,
                                          PartId part, ModelPoint near) {
-  const auto host = hostOf(document, derived, part);
+  const auto host = shownHost(document, derived, part);
   if (!host) return std::nullopt;
   const mesh::SurfacePlaces places(*host->mesh);
   const auto place = places.nearest(near);
@@ -114,7 +114,7 @@ std::optional<BridgePlace> bridgePlaceUnder(const document::Document& document, 
   ModelPoint place;
   bool onTwin = false;
   for (const document::Part& one : document.parts) {
-    const auto host = hostOf(document, derived, one.id);
+    const auto host = shownHost(document, derived, one.id);
     const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(one));
     if (!host || entry == nullptr) continue;
     const pipeline::Copies copies = pipeline::copiesInWorld(one, entry->size);
@@ -133,7 +133,7 @@ std::optional<BridgePlace> bridgePlaceUnder(const document::Document& document, 
 
 std::optional<FacingPlaces> facingPlaces(const document::Document& document, const pipeline::Derived& derived,
                                          PartId from, PartId to) {
-  const auto a = hostOf(document, derived, from), b = hostOf(document, derived, to);
+  const auto a = shownHost(document, derived, from), b = shownHost(document, derived, to);
   if (!a || !b || from == to) return std::nullopt;
   const std::vector<WorldPoint> first = someCorners(*a), second = someCorners(*b);
   double least = std::numeric_limits<double>::infinity();
@@ -214,7 +214,7 @@ void widenBridge(document::BridgeRecipe& recipe, double factor) {
 
 std::optional<document::BridgeEnd> carriedEnd(const document::Document& document, const pipeline::Derived& derived,
                                               const document::BridgeEnd& end, const BridgePlace& to) {
-  const auto host = hostOf(document, derived, end.part);
+  const auto host = shownHost(document, derived, end.part);
   if (!host || end.rim.empty()) return std::nullopt;
   const auto from = bridgePlaceOn(document, derived, end.part, middleOf(end.rim));
   if (!from) return std::nullopt;

@@ -50,7 +50,6 @@ std::optional<document::BridgeEnd> carriedEnd(const document::Document& document
 /// The selected bridge with the tool for bridges in hand, as it is shown now.
 struct ShownBridge {
   const document::Part* part = nullptr;
-  const document::BridgeRecipe* recipe = nullptr;
   const pipeline::PartShape* shape = nullptr;  ///< with two rims
   pipeline::Copies copies;
   explicit operator bool() const { return shape != nullptr; }

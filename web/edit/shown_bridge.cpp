@@ -14,12 +14,8 @@ ShownBridge bridgeInHand(const document::Document& document, const pipeline::Der
   if (part == nullptr || !document::bridgeOf(*part) || made == derived.parts.end()) return {};
   const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
   if (entry == nullptr || !pipeline::isVisible(document, *part)) return {};
-  ShownBridge bridge{part, document::bridgeOf(*part), made->shape.get(), shownCopies(ui, *part, entry->size)};
-  if (const Preview* preview = previewOf(ui, part->id)) {
-    const auto* recipe = std::get_if<document::BridgeRecipe>(&preview->recipe);
-    if (recipe != nullptr) bridge.recipe = recipe;
-    bridge.shape = &*preview->shape;
-  }
+  ShownBridge bridge{part, made->shape.get(), shownCopies(ui, *part, entry->size)};
+  if (const Preview* preview = previewOf(ui, part->id)) bridge.shape = &*preview->shape;
   if (bridge.shape != nullptr && bridge.shape->rims.size() != 2) return {};
   return bridge;
 }

@@ -128,6 +128,24 @@ TEST_CASE("an end of a bridge stays inside of a thin host") {
   CHECK(lid.z < 8);
 }
 
+TEST_CASE("a strut between the inner walls of a hollow ball begins and ends in its wall") {
+  mesh::TriMesh shell = ball({}, 100, 48);
+  const mesh::TriMesh inside = ball({}, 80, 48);
+  const auto first = static_cast<std::uint32_t>(shell.positions.size());
+  shell.positions.insert(shell.positions.end(), inside.positions.begin(), inside.positions.end());
+  for (const auto& [a, b, c] : inside.triangles) shell.triangles.push_back({a + first, c + first, b + first});
+  for (const double rim : {8.0, 15.0, 30.0}) {
+    CAPTURE(rim);
+    const Bridge bridge = made({shell, onBall({}, 80, {1, 0.1, 0}, rim)}, {shell, onBall({}, 80, {-1, 0.1, 0}, rim)});
+    CHECK(bridge.rims[0].out.x < -0.9);
+    const auto count = static_cast<std::uint32_t>(bridge.mesh.positions.size());
+    for (const std::uint32_t lid : {count - 2, count - 1}) {
+      CHECK(norm(at(bridge.mesh, lid)) > 80);
+      CHECK(norm(at(bridge.mesh, lid)) < 100);
+    }
+  }
+}
+
 TEST_CASE("a handle goes out of a ball and back into it, farther out with a larger bow") {
   const mesh::TriMesh host = ball({}, 80);
   const Points up = onBall({}, 80, {1, 0.6, 0}, 12), down = onBall({}, 80, {1, -0.6, 0}, 12);

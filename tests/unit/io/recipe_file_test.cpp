@@ -40,6 +40,18 @@ TEST_CASE("the recipes of the guide are documents whose parts are solids, and co
   }
 }
 
+TEST_CASE("a recipe may leave out the last ids, of solids too") {
+  const std::string text = R"({"pictures": [{"id": 1, "size": [200, 100]}],
+    "parts": [{"id": 1, "kind": "shape", "recipe": {"picture": 1, "axis": [[50, 80], [50, 20]], "width": 60}},
+              {"id": 2, "kind": "shape", "recipe": {"picture": 1, "axis": [[90, 80], [90, 20]], "width": 60}}],
+    "steps": [{"id": 4, "name": "Both", "kind": "join", "operands": [{"part": 1}, {"part": 2}]}]})";
+  const auto read = readRecipe(text, {});
+  REQUIRE_MESSAGE(read.ok(), (read.ok() ? "" : failureSentence(read.failure())));
+  CHECK(read.value().steps.size() == 1);
+  CHECK(read.value().lastStepId == 4);
+  CHECK(read.value().lastPartId == 2);
+}
+
 TEST_CASE("the golden document is no recipe: it stands on a photo, and on its own it says so") {
   const std::string text = textOfFile("golden/document-v1.json");
   const document::Document whole = completeDocument();
