@@ -32,6 +32,7 @@ const kArrows = {
   'engine/shape': ['engine/loft'],
   'engine/pull': ['engine/mesh'],
   'engine/bridge': ['engine/mesh'],
+  'engine/relief': ['engine/mesh', 'engine/image'],
   'engine/document': [
     'engine/ribs/edit',
     'engine/loft',
@@ -42,6 +43,7 @@ const kArrows = {
     'engine/shape',
     'engine/pull',
     'engine/bridge',
+    'engine/relief',
     'engine/descriptive',
     'engine/surface',
   ],

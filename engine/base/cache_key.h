@@ -21,6 +21,8 @@ using InteriorKey = CacheKey<struct InteriorKeyTag>;  ///< of the skeleton and t
 using DrawingKey = CacheKey<struct DrawingKeyTag>;    ///< of a line drawing with its pieces, solved
 using ShapeKey = CacheKey<struct ShapeKeyTag>;        ///< of a part's mesh
 using ReachKey = CacheKey<struct ReachKeyTag>;        ///< of what a pull reaches on a shape
+using HeightsKey = CacheKey<struct HeightsKeyTag>;    ///< of what a relief finds on a shape
+using RaisedKey = CacheKey<struct RaisedKeyTag>;      ///< of what its mesh is raised by
 using TextureKey = CacheKey<struct TextureKeyTag>;    ///< of a part's texture
 using SolidKey = CacheKey<struct SolidKeyTag>;        ///< of what the solver makes
 

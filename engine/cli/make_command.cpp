@@ -128,6 +128,17 @@ Json rimsOf(const Model& model, std::size_t number) {
   return rims;
 }
 
+/// What a relief found: null of a part without one.
+Json reliefOf(const Model& model, std::size_t number) {
+  const std::optional<pipeline::ReliefFound>& found = model.shape(number).relief;
+  if (!found) return {};
+  return {{"mode", relief::modeKey(found->mode)},
+          {"seen", found->seen},
+          {"raises", found->raises},
+          {"explained", found->explained},
+          {"share", found->share}};
+}
+
 std::string reportOf(const Model& model) {
   Json parts = Json::array(), times = Json::object();
   for (std::size_t i = 0; i < model.document.parts.size(); ++i) {
@@ -151,7 +162,8 @@ std::string reportOf(const Model& model) {
                      {"ms", model.shape(i).ms.ribs + model.shape(i).ms.loft},
                      {"views", viewsOf(model, i)},
                      {"pulls", pullsOf(model, i)},
-                     {"rims", rimsOf(model, i)}});
+                     {"rims", rimsOf(model, i)},
+                     {"relief", reliefOf(model, i)}});
   }
   for (const auto& [name, value] : model.milliseconds) times[name] = value;
   return Json{{"parts", parts}, {"milliseconds", times}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

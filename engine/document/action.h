@@ -92,7 +92,7 @@ struct ShapeRegion {
   PartId part;
   RegionSolid solid;
 };
-/// A part made of a region in place of what it was; name, look, place and pulls stay.
+/// A part made of a region in place of what it was; name, look, place, pulls and relief stay.
 struct RemakePart {
   PartId part;
   Region region;
@@ -236,6 +236,11 @@ struct SetPulls {
   PartId part;
   std::vector<pull::Pull> pulls;
 };
+/// The relief of a part; none: without.
+struct SetRelief {
+  PartId part;
+  std::optional<relief::Relief> relief = {};
+};
 /// One entry of the parameter table (params.h).
 struct SetParameter {
   PartId part;
@@ -348,7 +353,7 @@ using AnyAction =
                  ShapeRegion, RemakePart, PlaceParts, DuplicateParts, GroupParts, Ungroup, RenameGroup, MoveInList,
                  DrawStack, SetPlanes, SetRail, ShapeStack, DrawShape, SetShape, SetOutlines, SetView, DrawLine,
                  CloseLine, HideLine, DeleteLine, OrderPieces, PinDepth, SeeDrawing, ShapePiece, SetSide, SetPulls,
-                 DrawBridge, SetBridgeEnds>;
+                 SetRelief, DrawBridge, SetBridgeEnds>;
 using Action = OneOf<AnyAction>;
 
 }  // namespace spineloft::document

@@ -17,7 +17,9 @@ constexpr double kFarthest = 1e6;  // picture pixels: beyond it is no place that
 
 }  // namespace
 
-std::string fallbackName(const Part& part) { return "Part " + std::to_string(part.id.value); }
+std::string fallbackName(const Part& part) {
+  return (bridgeOf(part) ? "Bridge " : "Part ") + std::to_string(part.id.value);
+}
 
 std::string fallbackName(const Step& step) { return "Solid " + std::to_string(step.id.value); }
 std::string fallbackName(const Group& group) { return "Group " + std::to_string(group.id.value); }
@@ -167,6 +169,17 @@ Status checkBridge(const Document& document, const BridgeRecipe& recipe) {
     if (!many || !std::ranges::all_of(end->rim, isNear)) return {Error::ValueOutOfRange, "rim"};
   }
   return Done{};
+}
+
+Status checkRelief(const Document& document, const relief::Relief& relief) {
+  if (relief.laid && findPicture(document, relief.laid->picture) == nullptr) return Error::NoSuchPicture;
+  return relief::checkRelief(relief);
+}
+
+std::size_t dropUnseen(const Document& document, Part& part) {
+  const bool gone = part.relief && part.relief->laid && !findPicture(document, part.relief->laid->picture);
+  if (gone) part.relief.reset();
+  return (gone ? 1 : 0) + dropUnseen(document, part.recipe);
 }
 
 std::size_t dropUnseen(const Document& document, Recipe& recipe) {

@@ -69,6 +69,11 @@ Status checkDrawing(const Document& document, const Drawing& drawing);
 /// NoSuchPicture, RegionEmpty, ValueOutOfRange.
 Status checkElement(const Document& document, const ElementRecipe& recipe);
 
+/// Errors: NoSuchPicture (the one that is laid on the part), those of relief::checkRelief.
+Status checkRelief(const Document& document, const relief::Relief& relief);
+
+/// Takes out a relief whose picture is not there, and what that of a recipe takes out; how many.
+std::size_t dropUnseen(const Document& document, Part& part);
 /// Takes out outlines whose picture is no view of the part's; how many.
 std::size_t dropUnseen(const Document& document, Recipe& recipe);
 

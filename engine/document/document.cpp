@@ -104,7 +104,8 @@ std::size_t bytesOf(const Part& part) {
   for (const pull::Pull& pull : part.pulls) {
     for (const auto* line : {&pull.line, &pull.to, &pull.ring, &pull.across, &pull.acrossTo}) pulls += bytesOf(*line);
   }
-  return sizeof(Part) + part.name.size() + part.extra.size() + pulls +
+  const std::size_t relief = part.relief ? bytesOf(part.relief->region) : 0;
+  return sizeof(Part) + part.name.size() + part.extra.size() + pulls + relief +
          std::visit([](const auto& recipe) { return heldBy(recipe); }, part.recipe);
 }
 

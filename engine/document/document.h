@@ -32,6 +32,7 @@
 #include "engine/loft/loft.h"
 #include "engine/loft/pose.h"
 #include "engine/pull/pull_params.h"
+#include "engine/relief/relief_params.h"
 #include "engine/ribs/base/rib_params.h"
 #include "engine/ribs/base/rib_set.h"
 #include "engine/ribs/edit/edits.h"
@@ -183,10 +184,11 @@ struct Part {
   Look look;
   bool visible = true;
   Placement placement;
-  std::optional<MirrorPlane> mirror;  ///< it shows a second time, mirrored over this plane
-  GroupId group;                      ///< none: it stands alone
-  std::vector<pull::Pull> pulls;      ///< what is done to its surface, in this order
-  std::string extra;                  ///< as PictureEntry::extra
+  std::optional<MirrorPlane> mirror;     ///< it shows a second time, mirrored over this plane
+  GroupId group;                         ///< none: it stands alone
+  std::vector<pull::Pull> pulls;         ///< what is done to its surface, in this order
+  std::optional<relief::Relief> relief;  ///< and then: detail on its front
+  std::string extra;                     ///< as PictureEntry::extra
   bool operator==(const Part&) const = default;
 };
 

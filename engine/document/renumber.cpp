@@ -67,6 +67,7 @@ void renumber(Document& document) {
     setPicture(part.recipe, picture);
     if (ElementRecipe* element = elementOf(part)) drawings.to(element->drawing);
     for (Outline* outline : outlinesOf(part.recipe)) pictures.to(outline->picture);
+    if (part.relief && part.relief->laid) pictures.to(part.relief->laid->picture);
     if (BridgeRecipe* bridge = bridgeOf(part)) {
       parts.to(bridge->from.part);
       parts.to(bridge->to.part);

@@ -69,7 +69,7 @@ struct Apply {
     }
     for (Box<Part>& box : document.parts) {
       Part part = box;
-      if (dropUnseen(document, part.recipe) > 0) box = std::move(part);
+      if (dropUnseen(document, part) > 0) box = std::move(part);
     }
   }
 
@@ -346,6 +346,13 @@ struct Apply {
     if (Status checked = pull::checkPulls(a.pulls); !checked) return checked;
     return editPart(a.part, [&](Part& part) -> Status {
       part.pulls = a.pulls;
+      return Done{};
+    });
+  }
+  Status operator()(const SetRelief& a) const {
+    if (Status checked = a.relief ? checkRelief(document, *a.relief) : Done{}; !checked) return checked;
+    return editPart(a.part, [&](Part& part) -> Status {
+      part.relief = a.relief;
       return Done{};
     });
   }

@@ -72,14 +72,18 @@ void carryLines(const Document& before, Document& after) {
   std::map<PartId, ModelPoint> shifts;
   for (Box<Part>& box : after.parts) {
     const Part* was = findPart(before, box->id);
-    if (was == nullptr || was->recipe == box->recipe || was->pulls != box->pulls) continue;
+    if (was == nullptr || was->recipe == box->recipe || was->pulls != box->pulls || was->relief != box->relief)
+      continue;
     const auto by = shiftOf(after, was->recipe, box->recipe);
     if (!by) continue;
     shifts[box->id] = *by;
-    if (box->pulls.empty()) continue;
+    if (box->pulls.empty() && !box->relief) continue;
     Part part = box;
     for (pull::Pull& pull : part.pulls) {
       pull::eachPlace(pull, [&](ModelPoint& p) { p += *by; });
+    }
+    if (part.relief) {
+      relief::eachPlace(*part.relief, [&](PicturePoint& p) { p += {by->x, -by->y}; });
     }
     box = std::move(part);
   }

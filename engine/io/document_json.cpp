@@ -421,13 +421,14 @@ Result<Part> partFrom(Json json, const Document& document, const Reading& readin
   const ReadNotes before = reading.notes;
   mendName(part.name, document::fallbackName(part), reading.notes);
   mendRecipe(part.recipe, reading.notes);
-  reading.notes.repaired += document::dropUnseen(document, part.recipe);
+  reading.notes.repaired += document::dropUnseen(document, part);
   if (auto* side = document::sideOf(part.recipe)) {
     mend(document::checkSide(document, part.recipe), *side, {}, reading.notes);
   }
   const bool follows = document::bridgeOf(part) != nullptr && !part.placement.isRest();
   mend(!follows && document::isValid(part.placement), part.placement, {}, reading.notes);
   mendPulls(part.pulls, reading.notes);
+  mend(part.relief ? relief::checkRelief(*part.relief) : Done{}, part.relief, {}, reading.notes);
   mend(!part.mirror || document::isValid(*part.mirror), part.mirror, {}, reading.notes);
   if (reading.notes != before) settleExtra(part, toJson(part), reading);
   const Status stroke = document::checkDrawn(document, part.recipe);

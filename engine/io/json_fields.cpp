@@ -125,6 +125,7 @@ std::string_view keyOf(geometry::ViewFrom value) {
   const auto at = static_cast<std::size_t>(value);
   return at < kKeys.size() ? kKeys[at] : std::string_view();
 }
+std::string_view keyOf(relief::Mode value) { return relief::modeKey(value); }
 std::string_view keyOf(descriptive::PieceKind value) {
   static constexpr std::array<std::string_view, static_cast<std::size_t>(descriptive::PieceKind::kCount)> kKeys = {
       "round", "flat", "solid"};
@@ -144,6 +145,7 @@ bool fromKey(std::string_view key, shape::Primitive& value) { return fromKeys(ke
 bool fromKey(std::string_view key, inflate::Across& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, shape::DepthMode& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, geometry::ViewFrom& value) { return fromKeys(key, value); }
+bool fromKey(std::string_view key, relief::Mode& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::StepKind& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, document::OpeningSide& value) { return fromKeys(key, value); }
 bool fromKey(std::string_view key, sections::SectionPreset& value) {

@@ -47,6 +47,7 @@ std::string_view keyOf(surface::Paint value);
 std::string_view keyOf(shape::Primitive value);
 std::string_view keyOf(shape::DepthMode value);
 std::string_view keyOf(geometry::ViewFrom value);
+std::string_view keyOf(relief::Mode value);
 std::string_view keyOf(descriptive::PieceKind value);
 std::string_view keyOf(descriptive::SeenFrom value);
 bool fromKey(std::string_view key, sections::SectionPreset& value);
@@ -63,6 +64,7 @@ bool fromKey(std::string_view key, surface::Paint& value);
 bool fromKey(std::string_view key, shape::Primitive& value);
 bool fromKey(std::string_view key, shape::DepthMode& value);
 bool fromKey(std::string_view key, geometry::ViewFrom& value);
+bool fromKey(std::string_view key, relief::Mode& value);
 bool fromKey(std::string_view key, descriptive::PieceKind& value);
 bool fromKey(std::string_view key, descriptive::SeenFrom& value);
 template <class T>

@@ -442,9 +442,26 @@ void members(V& v, T& value) {
   v("across", across);
   v("acrossTo", acrossTo);
 }
+template <class V, Is<relief::Laid> T>
+void members(V& v, T& value) {
+  auto& [picture, at, width, turn] = value;
+  v("picture", picture);
+  v("at", at);
+  v("width", width);
+  v("turn", turn);
+}
+template <class V, Is<relief::Relief> T>
+void members(V& v, T& value) {
+  auto& [mode, height, smooth, region, laid] = value;
+  v("mode", mode);
+  v("height", height);
+  v("smooth", smooth);
+  v("region", region);
+  v("laid", laid);
+}
 template <class V, Is<document::Part> T>
 void members(V& v, T& value) {
-  auto& [id, name, recipe, look, visible, placement, mirror, group, pulls, extra] = value;
+  auto& [id, name, recipe, look, visible, placement, mirror, group, pulls, relief, extra] = value;
   v("id", id);
   v.always("name", name);
   v.recipe("kind", "recipe", recipe);
@@ -454,6 +471,7 @@ void members(V& v, T& value) {
   v("mirror", mirror);
   v("group", group);
   v("pulls", pulls);
+  v("relief", relief);
   v.beyond(extra);
 }
 template <class V, Is<document::Operand> T>

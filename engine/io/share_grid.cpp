@@ -114,6 +114,10 @@ void keepPull(pull::Pull& pull, const Grid& grid) {
   pull.height = grid(pull.height);
   pull.radius = std::max(grid(pull.radius), pull::kLeastRadius);
 }
+void keepRelief(relief::Relief& relief, const Grid& grid) {
+  relief::eachPlace(relief, [&](PicturePoint& p) { p = grid(p); });
+  if (relief.laid) relief.laid->width = std::max(grid(relief.laid->width), relief::kLeastWidth);
+}
 void keepLines(document::Drawing& drawing, const Grid& grid) {
   for (document::DrawnLine& line : drawing.lines) {
     document::DrawnLine kept = line;
@@ -201,6 +205,7 @@ Document onGrids(const Document& document) {
       for (auto& line : outline->lines) line = own->second(line);
     }
     for (pull::Pull& pull : part.pulls) keepPull(pull, grid->second);
+    if (part.relief) keepRelief(*part.relief, grid->second);
     box = std::move(part);
   }
   return rounded;

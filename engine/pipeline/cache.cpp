@@ -4,6 +4,8 @@
 
 #include "engine/inflate/interior.h"
 #include "engine/pull/pull.h"
+#include "engine/relief/heights.h"
+#include "engine/relief/raise.h"
 
 namespace spineloft::pipeline {
 
@@ -40,6 +42,16 @@ void Cache::keepInterior(InteriorKey key, KnownInterior interior) {
 void Cache::keepDrawing(DrawingKey key, std::shared_ptr<const DrawingShape> drawing) {
   const std::size_t bytes = bytesOf(*drawing);
   drawings_.keep(key, std::move(drawing), bytes);
+}
+
+void Cache::keepHeights(HeightsKey key, std::shared_ptr<const relief::Heights> heights) {
+  const std::size_t bytes = relief::bytesOf(*heights);
+  heights_.keep(key, std::move(heights), bytes);
+}
+
+void Cache::keepRaised(RaisedKey key, std::shared_ptr<const relief::Raised> raised) {
+  const std::size_t bytes = relief::bytesOf(*raised);
+  raised_.keep(key, std::move(raised), bytes);
 }
 
 std::shared_ptr<const PartShape> Cache::shape(ShapeKey key) {

@@ -17,6 +17,10 @@
 namespace spineloft::pull {
 struct Reach;
 }
+namespace spineloft::relief {
+struct Heights;
+struct Raised;
+}  // namespace spineloft::relief
 
 namespace spineloft::pipeline {
 
@@ -83,6 +87,11 @@ class Cache {
   /// By reachKey. Null when not (or no longer) known.
   std::shared_ptr<const pull::Reach> reach(ReachKey key) { return reaches_.find(key); }
   void keepReach(ReachKey key, std::shared_ptr<const pull::Reach> reach);
+  /// By heightsKey and by raisedKey. Null when not (or no longer) known.
+  std::shared_ptr<const relief::Heights> heights(HeightsKey key) { return heights_.find(key); }
+  void keepHeights(HeightsKey key, std::shared_ptr<const relief::Heights> heights);
+  std::shared_ptr<const relief::Raised> raised(RaisedKey key) { return raised_.find(key); }
+  void keepRaised(RaisedKey key, std::shared_ptr<const relief::Raised> raised);
   /// By shapeKey. Null when not (or no longer) known; marks the shape as used in this round.
   std::shared_ptr<const PartShape> shape(ShapeKey key);
   void keepShape(std::shared_ptr<const PartShape> shape);
@@ -115,10 +124,11 @@ class Cache {
   static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
   /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces; 20 parts before their pulls, and
-  /// what 20 pulls reach.
+  /// what 20 pulls reach; 8 reliefs, and what 8 of them raise.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
                                kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20, kDrawingBytes = 8u << 20,
-                               kUnpulledBytes = 8u << 20, kReachBytes = 16u << 20;
+                               kUnpulledBytes = 8u << 20, kReachBytes = 16u << 20, kHeightBytes = 16u << 20,
+                               kRaisedBytes = 32u << 20;
   /// Five earlier states of a 1024 × 768 sketch.
   static constexpr std::size_t kSketchBytes = 16u << 20;
 
@@ -144,6 +154,8 @@ class Cache {
   LruCache<DrawingKey, DrawingShape> drawings_{kDrawingBytes};
   LruCache<ShapeKey, PartShape> unpulled_{kUnpulledBytes};
   LruCache<ReachKey, pull::Reach> reaches_{kReachBytes};
+  LruCache<HeightsKey, relief::Heights> heights_{kHeightBytes};
+  LruCache<RaisedKey, relief::Raised> raised_{kRaisedBytes};
   std::vector<ShapeSlot> shapes_;
   std::vector<SketchSlot> sketches_;
   ribs::RibWorkspace ribMemory_;

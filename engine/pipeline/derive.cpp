@@ -12,6 +12,7 @@
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/outline_ink.h"
 #include "engine/pipeline/part_texture.h"
+#include "engine/pipeline/relief_shape.h"
 #include "engine/ribs/search/overshoot.h"
 
 namespace spineloft::pipeline {
@@ -81,7 +82,8 @@ struct Made {
   const document::PictureEntry& entry;
   const document::Document& document;
   PartId part;  ///< which it is, where it is one of the document's
-  std::span<const pull::Pull> pulls = {};
+  Worked worked = {};
+  Search search = Search::Known;
 };
 
 std::shared_ptr<const DrawingShape> solved(const descriptive::Drawing& drawing, Cache& cache) {
@@ -114,7 +116,7 @@ Status bridgeShape(const document::BridgeRecipe& recipe, const document::Documen
   if (!from) return from.failure();
   const auto to = hostShape(document, recipe.to, cache, clock);
   if (!to) return to.failure();
-  Result<PartShape> made = bridgeStage(recipe, document, from.value()->mesh, to.value()->mesh, clock);
+  Result<PartShape> made = bridgeStage(recipe, document, smoothMesh(*from.value()), smoothMesh(*to.value()), clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
   return Done{};
@@ -183,13 +185,16 @@ Status sidedShapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& 
   return Done{};
 }
 
-// The same with its pulls. What comes before them is kept, so that a hand which moves one waits for nothing else.
+// The same with what is done to its surface. What comes before that is kept, so that a hand which moves a pull or the
+// height of a relief waits for nothing else.
 Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape, const Clock& clock) {
-  if (from.pulls.empty()) return sidedShapeOf(from, cache, purpose, shape, clock);
+  const auto& [pulls, relief] = from.worked;
+  if (pulls.empty() && relief == nullptr) return sidedShapeOf(from, cache, purpose, shape, clock);
   const bool keeps = !needsEdges(from.recipe) || cache.edges(from.entry.contentHash);
   ShapeKey key = keeps ? unpulledKey(from.recipe, from.entry, from.document, from.part) : ShapeKey{};
   PartShape made;
-  if (const auto known = key ? cache.unpulled(key) : nullptr) {
+  const auto known = key ? cache.unpulled(key) : nullptr;
+  if (known) {
     made = *known;
     made.ms = {};
   } else {
@@ -199,7 +204,16 @@ Status shapeOf(const Made& from, Cache& cache, Purpose purpose, PartShape& shape
   }
   const double started = nowMs(clock);
   const TraceQuality quality = purpose == Purpose::Live ? TraceQuality::Live : TraceQuality::Final;
-  if (Status status = pullStage(from.pulls, key, quality, cache, made); !status.ok()) return status;
+  if (!pulls.empty()) {
+    if (Status status = pullStage(pulls, key, quality, cache, made); !status.ok()) return status;
+  }
+  if (relief != nullptr && (purpose == Purpose::Part || known)) {
+    for (std::size_t i = 0; key && i < pulls.size(); ++i) key = pulledKey(key, pulls[i], made.pulled[i].share);
+    const Search search = purpose == Purpose::Part ? from.search : Search::Live;
+    Status status = reliefStage(*relief, from.entry, from.document, key, search, cache, made);
+    if (!status.ok()) return status;
+  }
+  if (relief != nullptr && purpose == Purpose::Live) made.quality = TraceQuality::Live;
   made.ms.loft += nowMs(clock) - started;
   shape = std::move(made);
   return Done{};
@@ -210,11 +224,10 @@ Result<std::shared_ptr<const PartShape>> hostShape(const document::Document& doc
   const document::Part* host = hostOf(document, end);
   if (host == nullptr) return Error::HostGone;
   const document::PictureEntry& entry = *findPicture(document, pictureOf(*host));
-  const ShapeKey key = shapeKey(*host, entry, document);
-  if (auto known = cache.shape(key)) return known;
+  if (auto known = cache.shape(shapeKey(*host, entry, document))) return known;
   if (needsEdges(host->recipe) && !cache.edges(entry.contentHash)) return Error::HostGone;
   PartShape shape;
-  const Made from{host->recipe, entry, document, host->id, host->pulls};
+  const Made from{host->recipe, entry, document, host->id, {host->pulls, nullptr}};
   if (const Status made = shapeOf(from, cache, Purpose::Preview, shape, clock); !made.ok()) return Error::HostGone;
   return std::make_shared<const PartShape>(std::move(shape));
 }
@@ -328,10 +341,26 @@ std::shared_ptr<TextureJob> makeTexture(const document::Document& document, cons
   return nullptr;
 }
 
+std::shared_ptr<ReliefJob> makeRelief(const document::Document& document, const Derived& derived, PartId id) {
+  const document::Part* part = document::findPart(document, id);
+  const auto at = std::ranges::find(derived.parts, id, &DerivedPart::id);
+  if (part == nullptr || at == derived.parts.end() || !at->wantedRelief || !part->relief) return nullptr;
+  const document::PictureEntry* own = findPicture(document, pictureOf(*part));
+  const document::PictureEntry* from = own ? reliefPicture(document, *part->relief, *own) : nullptr;
+  const auto entry = std::ranges::find_if(document.pictures, [&](const auto& box) { return &*box == from; });
+  const auto number = static_cast<std::size_t>(entry - document.pictures.begin());
+  if (from == nullptr || number >= derived.pictures.size()) return nullptr;
+  try {
+    return std::make_shared<ReliefJob>(*at->wantedRelief, sizeOf(*own), *part->relief, derived.pictures[number]);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 namespace {
 
 DerivedPart derivePart(const document::Document& document, const document::Part& part,
-                       const document::PictureEntry& entry, Cache& cache, const Clock& clock) {
+                       const document::PictureEntry& entry, Cache& cache, const Clock& clock, Finish finish) {
   DerivedPart result{part.id, nullptr, std::nullopt, false};
   const ShapeKey key = shapeKey(part, entry, document);
   const bool known = (!needsEdges(part.recipe) || cache.edges(entry.contentHash) != nullptr) &&
@@ -340,13 +369,20 @@ DerivedPart derivePart(const document::Document& document, const document::Part&
   if (!result.shape && !known) result.waiting = true;
   if (!result.shape && known) {
     PartShape shape;
-    const Status made =
-        shapeOf({part.recipe, entry, document, part.id, part.pulls}, cache, Purpose::Part, shape, clock);
+    const Search search = finish == Finish::Now ? Search::All : Search::Known;
+    const Made from{part.recipe, entry, document, part.id, {part.pulls, part.relief ? &*part.relief : nullptr}, search};
+    const Status made = shapeOf(from, cache, Purpose::Part, shape, clock);
     if (made.ok()) {
-      shape.key = key;
-      shape.outlineInk = outlineInk(shape, entry);
-      result.shape = std::make_shared<const PartShape>(std::move(shape));
-      cache.keepShape(result.shape);
+      const HeightsKey heights = std::exchange(shape.wantedHeights, {});
+      const RaisedKey raised = std::exchange(shape.wantedRaised, {});
+      shape.key = heights ? smoothKey(part, entry, document) : key;
+      result.shape = heights ? cache.shape(shape.key) : nullptr;
+      if (!result.shape) {
+        shape.outlineInk = outlineInk(shape, entry);
+        result.shape = std::make_shared<const PartShape>(std::move(shape));
+        cache.keepShape(result.shape);
+      }
+      if (heights) result.wantedRelief = WantedRelief{heights, raised, result.shape, cache.heights(heights)};
     } else {
       result.failure = made.failure();
     }
@@ -376,9 +412,12 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
       const document::Part& part = document.parts[i];
       if ((bridgeOf(part) != nullptr) != bridges) continue;
       const document::PictureEntry* entry = findPicture(document, pictureOf(part));
-      derived.parts[i] = entry ? derivePart(document, part, *entry, cache, clock)
+      derived.parts[i] = entry ? derivePart(document, part, *entry, cache, clock, finish)
                                : DerivedPart{part.id, nullptr, Failure{Error::NoSuchPicture, part.name}, false};
     }
+  }
+  for (const DerivedPart& part : derived.parts) {
+    if (part.wantedRelief) derived.wantedReliefs.push_back(part.id);
   }
   for (std::size_t i = 0; i < derived.parts.size(); ++i) assignTexture(document, i, cache, finish, derived);
   cache.endRound(usedEdges);
@@ -388,36 +427,36 @@ Derived derive(const document::Document& document, Cache& cache, const Clock& cl
 namespace {
 
 Status shapeFor(Purpose purpose, const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                PartShape& shape, const Clock& clock, Pulls pulls) {
+                PartShape& shape, const Clock& clock, Worked worked) {
   const document::PictureEntry* entry = findPicture(document, document::pictureOf(recipe));
   if (entry == nullptr) return Error::NoSuchPicture;
-  return shapeOf({recipe, *entry, document, {}, pulls}, cache, purpose, shape, clock);
+  return shapeOf({recipe, *entry, document, {}, worked}, cache, purpose, shape, clock);
 }
 
 }  // namespace
 
 Status previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                    const Clock& clock, Pulls pulls) {
-  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock, pulls);
+                    const Clock& clock, Worked worked) {
+  return shapeFor(Purpose::Preview, document, recipe, cache, shape, clock, worked);
 }
 
 Status liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache, PartShape& shape,
-                 const Clock& clock, Pulls pulls) {
-  return shapeFor(Purpose::Live, document, recipe, cache, shape, clock, pulls);
+                 const Clock& clock, Worked worked) {
+  return shapeFor(Purpose::Live, document, recipe, cache, shape, clock, worked);
 }
 
 Result<PartShape> previewShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                               const Clock& clock, Pulls pulls) {
+                               const Clock& clock, Worked worked) {
   PartShape shape;
-  const Status made = previewShape(document, recipe, cache, shape, clock, pulls);
+  const Status made = previewShape(document, recipe, cache, shape, clock, worked);
   if (!made.ok()) return made.failure();
   return shape;
 }
 
 Result<PartShape> liveShape(const document::Document& document, const document::Recipe& recipe, Cache& cache,
-                            const Clock& clock, Pulls pulls) {
+                            const Clock& clock, Worked worked) {
   PartShape shape;
-  const Status made = liveShape(document, recipe, cache, shape, clock, pulls);
+  const Status made = liveShape(document, recipe, cache, shape, clock, worked);
   if (!made.ok()) return made.failure();
   return shape;
 }

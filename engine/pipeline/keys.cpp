@@ -7,6 +7,7 @@
 #include "engine/inflate/interior.h"
 #include "engine/pipeline/bridge_shape.h"
 #include "engine/pipeline/drawing_shape.h"
+#include "engine/pipeline/relief_shape.h"
 
 namespace spineloft::pipeline {
 namespace {
@@ -359,7 +360,7 @@ void mix(Hasher& hasher, const document::BridgeEnd& end, const document::Documen
   if (host == nullptr) return;
   const document::PictureEntry& entry = *findPicture(document, pictureOf(*host));
   const auto& [pivot, move, turn, scale, mirrored] = host->placement;
-  hasher.number(shapeKey(*host, entry, document).hash).number(entry.size.width).number(entry.size.height);
+  hasher.number(smoothKey(*host, entry, document).hash).number(entry.size.width).number(entry.size.height);
   mixAll(hasher, pivot.x, pivot.y, pivot.z, move.x, move.y, move.z, turn.w, turn.x, turn.y, turn.z, scale, mirrored);
 }
 
@@ -412,16 +413,44 @@ ReachKey reachKey(ShapeKey before, const pull::Pull& pull) {
   return ReachKey{hasher.value()};
 }
 
-ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull) {
-  return ShapeKey{Hasher().text("pull").number(reachKey(before, pull).hash).number(pull.height).value()};
+ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull, double share) {
+  const std::uint64_t whole = Hasher().text("pull").number(reachKey(before, pull).hash).number(pull.height).value();
+  return ShapeKey{share == 1 ? whole : Hasher().text("share").number(whole).number(share).value()};
 }
 
-ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {
+HeightsKey heightsKey(ShapeKey before, const relief::Relief& relief, const document::PictureEntry& entry) {
+  // How smooth and how high it is comes after.
+  const auto& [mode, height, smooth, region, laid] = relief;
+  Hasher hasher;
+  hasher.text("heights").number(before.hash).number(entry.contentHash).number(mode).number(region.size());
+  for (const auto& line : region) mix(hasher, line);
+  hasher.number(laid.has_value());
+  if (laid) mixAll(hasher, laid->at.x, laid->at.y, laid->width, laid->turn);
+  return HeightsKey{hasher.value()};
+}
+
+RaisedKey raisedKey(HeightsKey heights, const relief::Relief& relief) {
+  return RaisedKey{Hasher().text("raised").number(heights.hash).number(relief.smooth).value()};
+}
+
+ShapeKey reliefKey(RaisedKey raised, const relief::Relief& relief) {
+  return ShapeKey{Hasher().text("relief").number(raised.hash).number(relief.height).value()};
+}
+
+ShapeKey smoothKey(const document::Part& part, const document::PictureEntry& entry,
+                   const document::Document& document) {
   // How the texture is shown is no part of it.
   const auto& [textured, colour, paint, second, faceted, inked] = part.look;
   ShapeKey key = unpulledKey(part.recipe, entry, document, part.id);
   for (const pull::Pull& pull : part.pulls) key = pulledKey(key, pull);
   return inked && entry.isSketch() ? ShapeKey{Hasher().text("inked").number(key.hash).value()} : key;
+}
+
+ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document) {
+  const ShapeKey smooth = smoothKey(part, entry, document);
+  const document::PictureEntry* from = part.relief ? reliefPicture(document, *part.relief, entry) : nullptr;
+  if (from == nullptr) return smooth;
+  return reliefKey(raisedKey(heightsKey(smooth, *part.relief, *from), *part.relief), *part.relief);
 }
 
 }  // namespace spineloft::pipeline

@@ -24,6 +24,8 @@ TextureKey textureKey(ShapeKey shape, const std::vector<ribs::IgnoreMark>& ink);
 /// Of a whole shape of any kind, and of what its picture and its recipe say of its texture.
 /// `entry`: the part's own picture, one of the document's, which says how others look at it.
 ShapeKey shapeKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document);
+/// The same before its relief.
+ShapeKey smoothKey(const document::Part& part, const document::PictureEntry& entry, const document::Document& document);
 ShapeKey shapeKey(const document::Recipe& recipe, const document::PictureEntry& entry,
                   const document::Document& document);
 
@@ -40,8 +42,15 @@ ShapeKey unpulledKey(const document::Recipe& recipe, const document::PictureEntr
                      const document::Document& document, PartId part);
 /// Of what a pull reaches on the shape that was there before it: all of it but the height.
 ReachKey reachKey(ShapeKey before, const pull::Pull& pull);
-/// Of that shape pulled.
-ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull);
+/// Of that shape pulled by a share of the way.
+ShapeKey pulledKey(ShapeKey before, const pull::Pull& pull, double share = 1);
+
+/// Of what a relief finds on a shape. `entry`: the picture that gives it, the part's own or the one laid on it.
+HeightsKey heightsKey(ShapeKey before, const relief::Relief& relief, const document::PictureEntry& entry);
+/// Of what it raises the mesh by, for a height of 1.
+RaisedKey raisedKey(HeightsKey heights, const relief::Relief& relief);
+/// Of the shape with it.
+ShapeKey reliefKey(RaisedKey raised, const relief::Relief& relief);
 
 /// Of the skeleton and the fields of a puff with a slice: the region, the picture's size, the edits, the places of the
 /// slices, how fine they are. What the slices look like is not part of it.

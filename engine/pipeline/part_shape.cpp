@@ -54,6 +54,7 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.ribs = edited;
   shape.shown = edited;
   loft::carryRibs(memory.posed, shape.shown);
+  shape.scale = memory.posed.scale;
   loft::centreLine(memory.posed, traced.spine.points.size(), shape.centreLine);
   shape.contours.clear();
   shape.pulled.clear();
@@ -82,6 +83,8 @@ std::size_t bytesOf(const PartShape& shape) {
   return sizeof(shape) + bytes(shape.spine.points) + bytes(shape.centreLine) + bytesOf(shape.contours) +
          bytesOf(shape.generated) + inflate::bytesOf(shape.bones) + bytesOf(shape.ribs) + bytesOf(shape.shown) +
          bytes(m.positions) + bytes(m.triangles) + bytes(m.uv) + bytesOf(shape.outlineInk) + bytes(shape.ways.links) +
+         (shape.smooth ? bytes(shape.smooth->positions) + bytes(shape.smooth->triangles) + bytes(shape.smooth->uv)
+                       : 0) +
          bytesOf(shape.pulled) + bytesOf(shape.rims) + bytes(shape.ways.forks) +
          (shape.texture ? bytes(shape.texture->pixels.pixels) : 0);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,6 +60,15 @@ struct PulledLine {
   double share = 1;                ///< of the way that was asked for: less where the part would go through itself
 };
 
+/// What a relief found in its picture.
+struct ReliefFound {
+  relief::Mode mode = relief::Mode::Ink;  ///< ink where light and shadow were asked for and show nothing
+  bool seen = false;                      ///< of the part enough is seen for one
+  bool raises = false;                    ///< there is something in the picture that became one
+  double explained = 0;                   ///< of light and shadow: see relief::Heights
+  double share = 1;                       ///< of the height: less where the part would go through itself
+};
+
 /// One part as derived from its recipe. Spine, ribs and centre line are of lofts only, contours only of
 /// what is made of a region, bones only of puffs with a slice; for others they are empty.
 struct PartShape {
@@ -72,7 +82,12 @@ struct PartShape {
   stack::Ways ways;                                 ///< of curves on planes: which becomes which
   std::vector<PulledLine> pulled;                   ///< one a pull of the part
   std::vector<bridge::Rim> rims;                    ///< of a bridge: where it leaves its parts
-  mesh::TriMesh mesh;                               ///< ModelSpace
+  std::optional<ReliefFound> relief;                ///< of a part that has one, once it is known
+  HeightsKey wantedHeights;                         ///< of a relief that is not known yet: `mesh` is without
+  RaisedKey wantedRaised;
+  mesh::TriMesh mesh;                           ///< ModelSpace
+  std::shared_ptr<const mesh::TriMesh> smooth;  ///< `mesh` before its relief; null of one without
+  double scale = 1;                             ///< of the mesh to the picture: that of a pose across its spine
   /// What the picture shows of it (part_texture.h); null where nothing is seen, and in previews.
   std::shared_ptr<const surface::PartTexture> texture;
   TextureKey textureKey;                       ///< of `texture`; none before the first
@@ -82,6 +97,9 @@ struct PartShape {
   ShapeKey key;                                ///< shapeKey of what it was made from; equal keys, equal shapes
   StageMs ms;                                  ///< times of its ribs and loft stages; what was known already took none
 };
+
+/// Its mesh before its relief: what pulls and bridges are on.
+inline const mesh::TriMesh& smoothMesh(const PartShape& shape) { return shape.smooth ? *shape.smooth : shape.mesh; }
 
 /// Whether its texture, or that there is none, is known. Until it is, `texture` is an earlier one or null.
 inline bool isTextureKnown(const PartShape& shape) {

@@ -1,9 +1,8 @@
-// pullStage: the last stage of a shape.
+// pullStage: after a shape is made, before its relief.
 #include <memory>
 #include <new>
 #include <utility>
 
-#include "engine/base/hash.h"
 #include "engine/pipeline/cache.h"
 #include "engine/pipeline/keys.h"
 #include "engine/pipeline/part_shape.h"
@@ -24,12 +23,6 @@ PulledLine lineOf(const pull::Reach& reach, const mesh::TriMesh& mesh, double sh
   line.ring = reach.ring;
   line.out = reach.out;
   return line;
-}
-
-// Of the shape after a pull, of which a part of the way may have been kept.
-ShapeKey keyOf(ShapeKey before, const pull::Pull& pull, double share) {
-  const ShapeKey key = pulledKey(before, pull);
-  return share == 1 ? key : ShapeKey{Hasher().text("share").number(key.hash).number(share).value()};
 }
 
 Result<std::shared_ptr<const pull::Reach>> knownReach(const mesh::TriMesh& mesh, const pull::Pull& pull,
@@ -61,7 +54,7 @@ Status pullStage(std::span<const pull::Pull> pulls, ShapeKey before, TraceQualit
       }
       lines.push_back(lineOf(*reach.value(), pulled, share));
       std::swap(mesh, pulled);
-      if (before) before = keyOf(before, pull, share);
+      if (before) before = pulledKey(before, pull, share);
     }
     shape.mesh = std::move(mesh);
     shape.pulled = std::move(lines);

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <string>
 
-#include "engine/mesh/self_crossing.h"
+#include "engine/mesh/kept_share.h"
 
 namespace spineloft::pull {
 namespace {
 
 constexpr double kFarthest = 1e6;  // picture pixels: beyond it is no place that a hand means
-constexpr int kHalvings = 4;
 
 bool isPlace(ModelPoint p) {
   return isFinite(p) && std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
@@ -63,18 +62,12 @@ Status checkPulls(const std::vector<Pull>& pulls) {
 void moveMesh(const Reach& reach, const Pull& pull, mesh::TriMesh& out) { moveBy(reach, wholeWay(pull), out); }
 
 double pullMesh(const Reach& reach, const Pull& pull, mesh::TriMesh& out) {
-  moveMesh(reach, pull, out);
-  if (wholeWay(pull) == 0) return 1;
-  if (reach.moved.empty()) return 0;
-  if (!mesh::selfCrossing(out) || mesh::selfCrossing(reach.mesh)) return 1;
-  double share = 1;
-  for (int i = 0; i < kHalvings; ++i) {
-    share /= 2;
-    moveBy(reach, share * wholeWay(pull), out);
-    if (!mesh::selfCrossing(out)) return share;
+  if (wholeWay(pull) == 0 || reach.moved.empty()) {
+    out = reach.mesh;
+    return wholeWay(pull) == 0 ? 1 : 0;
   }
-  out = reach.mesh;
-  return 0;
+  const auto moveTo = [&](double share, mesh::TriMesh& to) { moveBy(reach, share * wholeWay(pull), to); };
+  return mesh::keptShare(reach.mesh, moveTo, out);
 }
 
 }  // namespace spineloft::pull

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "engine/geometry/polyline.h"
-#include "engine/pull/cut_mesh.h"
+#include "engine/mesh/cut_mesh.h"
 #include "engine/pull/displacement.h"
 #include "engine/pull/pull.h"
 #include "engine/pull/ring.h"
@@ -78,7 +78,6 @@ class Reacher {
   double toLine(ModelPoint p) const;
   bool isNear(std::uint32_t triangle) const;
   double fineness(std::uint32_t triangle) const;
-  std::uint32_t terminal(std::uint32_t triangle) const;
   double depthAt(ModelPoint p) const { return ring_ ? ring_->depth(p) : radius_ - toLine(p); }
   void addDepths();
   void mark(std::uint32_t vertex, double place);
@@ -89,7 +88,7 @@ class Reacher {
   ModelPoint moveAt(double place) const;
 
   const Pull& pull_;
-  CutMesh cut_;
+  mesh::CutMesh cut_;
   double radius_, edge_ = 0;
   std::vector<mesh::SurfacePlace> line_, ringLine_;  // of the line and, behind it, of the one across
   std::size_t across_ = 0;                           // the first one of that
@@ -212,18 +211,6 @@ double Reacher::fineness(std::uint32_t triangle) const {
   return std::clamp(least / (radius_ / 8), finest, 1.0);
 }
 
-// The edge that is the longest one of both its triangles, on the way over longest edges (Rivara): to split it keeps
-// triangles from getting thin.
-std::uint32_t Reacher::terminal(std::uint32_t triangle) const {
-  std::uint32_t half = cut_.longest(triangle);
-  while (cut_.twin(half) != mesh::kNone) {
-    const std::uint32_t next = cut_.longest(cut_.twin(half) / 3);
-    if (next == cut_.twin(half)) break;
-    half = next;
-  }
-  return half;
-}
-
 // Splits triangles near the line until their edges are as short as asked; near_ are those within the rim that the
 // surface leads to from the line over triangles that `open_` lets in.
 void Reacher::refine(double edge) {
@@ -242,7 +229,7 @@ void Reacher::refine(double edge) {
     const std::uint32_t t = work.back();
     const bool isClose = isNear(t);
     if (isClose && cut_.triangles() < most && cut_.length(cut_.longest(t)) > edge * fineness(t)) {
-      const std::uint32_t half = terminal(t), across = cut_.twin(half);
+      const std::uint32_t half = cut_.terminal(t), across = cut_.twin(half);
       const auto first = static_cast<std::uint32_t>(cut_.triangles());
       if (cut_.split(half, 0.5) != mesh::kNone) {
         addDepths();

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@
 #include "tests/bench/pen_stages.h"
 #include "tests/bench/puff_stages.h"
 #include "tests/bench/pull_stages.h"
+#include "tests/bench/relief_stages.h"
 #include "tests/bench/report.h"
 #include "tests/bench/rib_stages.h"
 #include "tests/bench/scene.h"
@@ -140,6 +142,8 @@ void printStageTimes() {
   bench::reportDrawingStages(report);
   bench::reportLayerStages(report);
   bench::reportPullStages(report);
+  bench::reportBridgeStages(report);
+  bench::reportReliefStages(report);
   bench::reportPenStages(picture, edges, report);
   timeRibDrag(report, picture, edges, recipe.stroke);
   bench::reportTwoWorkers(picture, report);
@@ -169,6 +173,38 @@ void printPrograms(std::uint64_t count) {
   }
 }
 
+/// What can be measured alone.
+struct Stages {
+  std::string_view word;
+  void (*measure)(bench::Report&);
+};
+constexpr Stages kStages[] = {
+    {"--photo", bench::reportPhoto},
+    {"--pen",
+     [](bench::Report& report) {
+       const image::Picture picture = bench::tubePicture({1024, 768});
+       bench::reportPenStages(picture, bench::must(vision::detectEdges(picture, {}, Progress())), report);
+     }},
+    {"--puffs",
+     [](bench::Report& report) {
+       bench::tubePicture({2304, 1728});  // as after other work: what is freed stays with the process
+       bench::reportPuffStages(report);
+     }},
+    {"--drawings", bench::reportDrawingStages},
+    {"--layers", bench::reportLayerStages},
+    {"--pulls", bench::reportPullStages},
+    {"--bridges", bench::reportBridgeStages},
+    {"--reliefs", bench::reportReliefStages},
+    {"--workers", [](bench::Report& report) { bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report); }},
+};
+
+int explain() {
+  std::cerr << "spineloft_bench: no words, --programs and a number, --ribs and a case folder, or one of";
+  for (const Stages& stages : kStages) std::cerr << ' ' << stages.word;
+  std::cerr << '\n';
+  return 2;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -176,40 +212,15 @@ int main(int count, char** words) {
     printRibs(words[2]);
   } else if (count == 3 && std::string(words[1]) == "--programs") {
     printPrograms(std::strtoull(words[2], nullptr, 10));
-  } else if (count == 2 && std::string(words[1]) == "--photo") {
+  } else if (count == 2) {
+    const auto asked = std::ranges::find(kStages, std::string_view(words[1]), &Stages::word);
+    if (asked == std::ranges::end(kStages)) return explain();
     bench::Report report;
-    bench::reportPhoto(report);
-  } else if (count == 2 && std::string(words[1]) == "--pen") {
-    const image::Picture picture = bench::tubePicture({1024, 768});
-    const image::EdgeMap edges = bench::must(vision::detectEdges(picture, {}, Progress()));
-    bench::Report report;
-    bench::reportPenStages(picture, edges, report);
-  } else if (count == 2 && std::string(words[1]) == "--puffs") {
-    bench::tubePicture({2304, 1728});  // as after other work: what is freed stays with the process
-    bench::Report report;
-    bench::reportPuffStages(report);
-  } else if (count == 2 && std::string(words[1]) == "--drawings") {
-    bench::Report report;
-    bench::reportDrawingStages(report);
-  } else if (count == 2 && std::string(words[1]) == "--layers") {
-    bench::Report report;
-    bench::reportLayerStages(report);
-  } else if (count == 2 && std::string(words[1]) == "--pulls") {
-    bench::Report report;
-    bench::reportPullStages(report);
-  } else if (count == 2 && std::string(words[1]) == "--bridges") {
-    bench::Report report;
-    bench::reportBridgeStages(report);
-  } else if (count == 2 && std::string(words[1]) == "--workers") {
-    bench::Report report;
-    bench::reportTwoWorkers(bench::tubePicture({1024, 768}), report);
+    asked->measure(report);
   } else if (count == 1) {
     printStageTimes();
   } else {
-    std::cerr
-        << "spineloft_bench: no words, --pen, --photo, --puffs, --drawings, --layers, --pulls, --bridges, --workers, "
-           "--programs and a number, or --ribs and a case folder\n";
-    return 2;
+    return explain();
   }
   return 0;
 }

@@ -38,6 +38,7 @@ test('every recipe of the guide makes closed solids and a GLB without a fault th
     'hand',
     'helix',
     'ladybird',
+    'leaf',
     'letters',
     'loft-from-the-side',
     'one-smooth-bone',

@@ -341,6 +341,10 @@ struct Make<SetPulls> {
     return set;
   }
 };
+template <>
+struct Make<SetRelief> {
+  static SetRelief from(Rng& rng, const Document& d) { return {anyPart(rng, d), anyRelief(rng, d)}; }
+};
 BridgeEnd anyBridgeEnd(Rng& rng, const Document& d) {
   BridgeEnd end{anyPart(rng, d), {}};
   for (int i = 0; i < 3; ++i) {  // mostly on what is none itself

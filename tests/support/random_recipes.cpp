@@ -232,4 +232,16 @@ std::vector<descriptive::Stretch> anyStretches(Rng& rng) {
   return stretches;
 }
 
+std::optional<relief::Relief> anyRelief(Rng& rng, const Document& d) {
+  if (rng.below(5) == 0) return std::nullopt;
+  relief::Relief relief{static_cast<relief::Mode>(rng.below(3)), rng.uniform(-0.11, 0.1), rng.uniform(0, 1), {}, {}};
+  const auto place = [&] { return PicturePoint{rng.uniform(0, kWidth), rng.uniform(0, kHeight)}; };
+  if (rng.below(3) == 0) relief.region.push_back({place(), place(), place(), place()});
+  if (rng.below(3) == 0) {
+    const double turn = rng.below(3) == 0 ? relief::kMostTurn : rng.uniform(-3, 3);
+    relief.laid = relief::Laid{anyPicture(rng, d), place(), rng.uniform(3, 80), turn};
+  }
+  return relief;
+}
+
 }  // namespace spineloft::testing

@@ -1,6 +1,7 @@
 // Seeded random values of recipes and of the parts of a document that they name, for property tests: mostly good ones.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/base/rng.h"
@@ -27,5 +28,6 @@ stack::StackParams anyStackParams(Rng& rng);
 std::vector<document::Outline> anyOutlines(Rng& rng, const document::Document& d);
 shape::ShapeParams anyShape(Rng& rng);
 std::vector<descriptive::Stretch> anyStretches(Rng& rng);
+std::optional<relief::Relief> anyRelief(Rng& rng, const document::Document& d);
 
 }  // namespace spineloft::testing

@@ -41,6 +41,18 @@ std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_
   return stroke;
 }
 
+std::optional<std::vector<std::vector<PicturePoint>>> linesOf(const Json& args, std::string_view key) {
+  const Json* list = args.find(key);
+  if (list == nullptr || list->array() == nullptr) return std::nullopt;
+  std::vector<std::vector<PicturePoint>> lines;
+  for (const Json& one : *list->array()) {
+    auto line = strokeOf(Json::Object{{"stroke", one}});
+    if (!line) return std::nullopt;
+    lines.push_back(std::move(*line));
+  }
+  return lines;
+}
+
 std::optional<PicturePoint> pointOf(const Json& args, std::string_view key) {
   const Json* value = args.find(key);
   return value ? pairOf(*value) : std::nullopt;

@@ -23,6 +23,8 @@ Outcome noSpine(const CommandEnv& env, const Json& args);
 /// [[x, y], …] under `key`; none when it is anything else. Numbers that are no numbers become NaN, so
 /// that the engine can refuse them by name.
 std::optional<std::vector<PicturePoint>> strokeOf(const Json& args, std::string_view key = "stroke");
+/// [[[x, y], …], …] under `key`, likewise.
+std::optional<std::vector<std::vector<PicturePoint>>> linesOf(const Json& args, std::string_view key);
 /// [x, y] under `key`.
 std::optional<PicturePoint> pointOf(const Json& args, std::string_view key);
 /// A place of a part: [x, y, z] of its space, or [x, y] of the picture, which is cast onto the front of its mesh,

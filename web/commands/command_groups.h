@@ -18,6 +18,7 @@ std::span<const Command> shapeToolCommands();     ///< shapes by hand and by key
 std::span<const Command> lineCommands();          ///< line drawings: line_commands.cpp
 std::span<const Command> pullCommands();          ///< lines that move the surface of a part: pull_commands.cpp
 std::span<const Command> bridgeCommands();        ///< tubes from part to part: bridge_commands.cpp
+std::span<const Command> reliefCommands();        ///< detail on the front of parts: relief_commands.cpp
 std::span<const Command> cutCommands();           ///< cutting out of the picture: cut_commands.cpp
 std::span<const Command> outlineCommands();       ///< points of outlines by keys: outline_commands.cpp
 std::span<const Command> spineCommands();         ///< moving and posing spines: bone_commands.cpp

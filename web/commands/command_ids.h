@@ -35,7 +35,7 @@ inline constexpr auto kCommandIds = std::to_array<std::string_view>({
     "previous-outline-point", "previous-picture", "previous-point", "previous-shape-point", "puff", "puff-back",
     "puff-both", "puff-front", "puff-slice", "pull", "pull-here", "pull-in", "pull-narrower", "pull-next", "pull-out",
     "pull-previous", "pull-remove", "pull-sharp", "pull-wider", "reach-less", "reach-more", "redo", "redraw",
-    "redraw-region", "redraw-spine", "release", "remove-ignore", "remove-picture", "remove-slice", "rename-group",
+    "redraw-region", "redraw-spine", "release", "relief", "remove-ignore", "remove-picture", "remove-slice", "rename-group",
     "rename-model", "rename-part", "rename-picture", "rename-slice", "rename-step", "reset-bones", "reset-place",
     "reset-pose", "reset-rib", "reset-ribs", "restore-bone", "ribs", "save-3mf", "save-glb", "save-obj",
     "save-picture", "save-project", "save-project-as", "save-stl", "save-turntable", "scoop-out", "seen-from",

@@ -128,6 +128,20 @@ Outcome redrawSeenOutline(const CommandEnv& env, PartId part, const std::vector<
 /// Another value for one of its pulls; says where it cannot go all the way.
 Outcome setPull(const CommandEnv& env, PartId part, std::size_t number, const pull::Pull& pull);
 
+// ---- Reliefs ----------------------------------------------------------------------------------------------------
+
+/// What becomes a relief, in words.
+std::string_view labelOf(relief::Mode mode);
+/// A part and the relief that it is to have; none: without.
+struct ReliefOf {
+  PartId part;
+  std::optional<relief::Relief> relief;
+};
+/// In one step.
+Outcome setReliefs(const CommandEnv& env, const std::vector<ReliefOf>& reliefs);
+/// A picture that is laid on a part in its middle, half as wide as it.
+relief::Laid usualLaid(const CommandEnv& env, const document::Part& part, PictureId picture);
+
 // ---- Bridges ----------------------------------------------------------------------------------------------------
 
 /// A new bridge, in one solid with the parts that it joins.

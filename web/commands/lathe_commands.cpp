@@ -40,16 +40,10 @@ std::optional<document::Region> profileFrom(Env env, const Json& args) {
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), env.ui.picture);
   if (entry == nullptr) return std::nullopt;
   if (const auto line = strokeOf(args, "line")) return profileOfLine(entry->id, *line, entry->size);
-  const Json* list = args.find("contours");
-  const bool open = list == nullptr;
-  if (open) list = args.find("lines");
-  if (list == nullptr || list->array() == nullptr) return std::nullopt;
-  document::Region region{entry->id, {}, 0, open};
-  for (const Json& one : *list->array()) {
-    auto contour = strokeOf(Json::Object{{"stroke", one}});
-    if (!contour) return std::nullopt;
-    region.contours.push_back(std::move(*contour));
-  }
+  const bool open = args.find("contours") == nullptr;
+  auto lines = linesOf(args, open ? "lines" : "contours");
+  if (!lines) return std::nullopt;
+  document::Region region{entry->id, std::move(*lines), 0, open};
   return region;
 }
 

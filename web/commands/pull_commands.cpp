@@ -70,7 +70,7 @@ Way wayOf(Env env, const document::Part& part, const Pulls& pulls, std::size_t c
   const auto& parts = env.studio.derived().parts;
   const auto now = std::ranges::find(parts, part.id, &pipeline::DerivedPart::id);
   pipeline::PartShape made;
-  if (now == parts.end() || !now->shape || now->waiting || !env.studio.preview(part.recipe, pulls, made))
+  if (now == parts.end() || !now->shape || now->waiting || !env.studio.preview(part.recipe, {pulls}, made))
     return Way::All;
   if (changed >= made.pulled.size() || made.pulled[changed].share == 1) return Way::All;
   return made.pulled[changed].points.empty() ? Way::Nothing : Way::Less;

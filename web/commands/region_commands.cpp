@@ -60,16 +60,10 @@ std::optional<document::Region> regionFrom(Env env, const Json& args, PictureId 
   const document::PictureEntry* entry = document::findPicture(env.studio.document(), picture);
   if (entry == nullptr) return std::nullopt;
   if (auto line = strokeOf(args, "line")) return regionOfLine(picture, std::move(*line), entry->size);
-  const Json* list = args.find("contours");
-  const bool open = list == nullptr;
-  if (open) list = args.find("lines");
-  if (list == nullptr || list->array() == nullptr) return std::nullopt;
-  document::Region region{picture, {}, 0};
-  for (const Json& one : *list->array()) {
-    auto contour = strokeOf(Json::Object{{"stroke", one}});
-    if (!contour) return std::nullopt;
-    region.contours.push_back(std::move(*contour));
-  }
+  const bool open = args.find("contours") == nullptr;
+  auto lines = linesOf(args, open ? "lines" : "contours");
+  if (!lines) return std::nullopt;
+  document::Region region{picture, std::move(*lines), 0};
   if (open) {
     const int side = std::max(entry->size.width, entry->size.height);
     region.ribbon = args.number("width").value_or(0.03 * side);

@@ -19,6 +19,7 @@
 #include "web/commands/drawing_json.h"
 #include "web/commands/modes.h"
 #include "web/commands/pull_json.h"
+#include "web/commands/relief_json.h"
 #include "web/commands/section_json.h"
 #include "web/commands/sheet_json.h"
 #include "web/edit/solid_editing.h"
@@ -332,6 +333,7 @@ void writePart(JsonWriter& json, const document::Document& document, const docum
   writePlacement(json, part, mm);
   writePulls(json, part, derived);
   writeBridge(json, part, derived);
+  writeRelief(json, part, derived);
   json.key("failure");
   derived.failure ? json.text(errorName(derived.failure->error)) : json.null();
   json.key("mended").flag(derived.mended != nullptr);

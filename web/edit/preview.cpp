@@ -19,6 +19,7 @@ Preview& beginPreview(UiState& ui) {
   preview.asLoft() = kNothingDrawn;
   preview.part = {};
   preview.pulls.clear();
+  preview.relief.reset();
   preview.look = {};
   preview.fresh = false;
   preview.shape.reset();
@@ -37,6 +38,7 @@ Preview& previewPart(UiState& ui, const document::Part& part) {
   preview.part = part.id;
   preview.recipe = part.recipe;
   preview.pulls = part.pulls;
+  preview.relief = part.relief;
   preview.look = part.look;
   return preview;
 }
@@ -75,10 +77,12 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.fresh = true;
   preview.exactMs.reset();
   pipeline::PartShape& shape = preview.shape.room();
-  // Pulls under a moving hand go all their way: whether the part then goes through itself says the exact shape alone.
-  const bool exact = rests || (preview.guarded && !preview.pulls.empty());
-  const Status made = exact ? studio.preview(preview.recipe, preview.pulls, shape)
-                            : studio.previewLive(preview.recipe, preview.pulls, shape);
+  // Pulls and reliefs under a moving hand go all their way: whether the part then goes through itself says the exact
+  // shape alone.
+  const bool exact = rests || (preview.guarded && (!preview.pulls.empty() || preview.relief));
+  const pipeline::Worked worked{preview.pulls, preview.relief ? &*preview.relief : nullptr};
+  const Status made =
+      exact ? studio.preview(preview.recipe, worked, shape) : studio.previewLive(preview.recipe, worked, shape);
   if (made && preview.guarded) {
     const auto at = mesh::selfCrossing(shape.mesh);
     preview.crossing = at ? std::optional(ModelPoint{(*at)[0], (*at)[1], (*at)[2]}) : std::nullopt;

@@ -35,6 +35,9 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
       host_(host),
       pool_(pool),
       solids_(host),
+      reliefs_(
+          pool_, [this](const pipeline::ReliefJob& job) { stale_ = job.keepIn(cache_) || stale_; },
+          [this] { stale_ = true; }),
       textures_(
           pool_,
           [this](const pipeline::TextureJob& job) {
@@ -52,6 +55,8 @@ void Derivation::forget() {
   solids_.forget();
   cache_.clear();
   reported_.clear();
+  toldReliefs_.clear();
+  opened_ = true;
   reportedSteps_.clear();
   documentChanged();
 }
@@ -70,6 +75,7 @@ pipeline::Derived Derivation::make(const pipeline::Derived& before) {
   const auto clock = [this] { return host_.nowMs(); };
   pipeline::Derived now = pipeline::derive(document(), cache_, clock, pipeline::Finish::Later);
   keepEarlierShapes(before, now);
+  keepEarlierReliefs(before, now);
   keepEarlierTextures(before, now);
   solids_.update(document(), now, finishing_ ? SolidWork::Alone::All : SolidWork::Alone::AsKnown);
   return now;
@@ -85,9 +91,11 @@ void Derivation::refresh() {
     preview_->steps = std::move(steps);
   }
   for (const PictureId id : derived_.wantedEdges) findEdges(id);
+  reliefs_.update(wantedReliefs(document(), derived_));
   textures_.update(wantedTextures(document(), derived_));
   noteTimes(before);
   report();
+  reportReliefs();
   reportSolids();
   if (allMade()) finishing_ = false;
 }
@@ -111,6 +119,19 @@ void Derivation::report() {
     reported_.push_back(entry);
     sendError(host_, spokenFailure(*part.failure));
   }
+}
+
+void Derivation::reportReliefs() {
+  for (const pipeline::DerivedPart& part : derived_.parts) {
+    const document::Part* now = document::findPart(document(), part.id);
+    if (now == nullptr || !part.shape || part.wantedRelief) continue;
+    const std::string_view words = now->relief ? reliefWords(*now->relief, *part.shape) : std::string_view();
+    std::string& told = toldReliefs_[part.id];
+    if (told == words) continue;
+    told = words;
+    if (!words.empty() && !opened_) sendStatus(host_, words);  // what a file brings along is not told
+  }
+  if (shapesMade()) opened_ = false;
 }
 
 void Derivation::reportSolids() {
@@ -169,12 +190,12 @@ void Derivation::findEdges(PictureId id) {
       });
 }
 
-Status Derivation::preview(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
-  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, pulls);
+Status Derivation::preview(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape) {
+  return pipeline::previewShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, worked);
 }
 
-Status Derivation::previewLive(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
-  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, pulls);
+Status Derivation::previewLive(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape) {
+  return pipeline::liveShape(document(), recipe, cache_, shape, [this] { return host_.nowMs(); }, worked);
 }
 
 std::vector<PicturePoint> Derivation::strokeOnThing(const document::LoftRecipe& recipe) {
@@ -197,7 +218,7 @@ void Derivation::carryBridges(const document::Document& document, const publish:
     const auto meshOf = [&](PartId host) -> const mesh::TriMesh* {
       if (instead != nullptr && instead->part == host) return instead->mesh;
       const auto at = std::ranges::find(preview_->parts, host, &pipeline::DerivedPart::id);
-      return at == preview_->parts.end() || !at->shape ? nullptr : &at->shape->mesh;
+      return at == preview_->parts.end() || !at->shape ? nullptr : &smoothMesh(*at->shape);
     };
     const document::PictureEntry* entry = document::findPicture(document, bridge->picture);
     const mesh::TriMesh *from = meshOf(bridge->from.part), *to = meshOf(bridge->to.part);
@@ -258,7 +279,7 @@ void Derivation::previewPinned(const document::PinDepth& pin) {
     auto shape = std::make_shared<pipeline::PartShape>(*part->shape);
     if (!pipeline::elementStage(*solved, i, *shape)) continue;
     const document::Part* piece = document::findPart(next.value(), plain.pieces[i]);
-    const pipeline::Pulls pulls = piece ? pipeline::Pulls(piece->pulls) : pipeline::Pulls();
+    const std::span<const pull::Pull> pulls = piece ? std::span(piece->pulls) : std::span<const pull::Pull>();
     if (!pulls.empty() && !pipeline::pullStage(pulls, {}, pipeline::TraceQuality::Live, cache_, *shape)) continue;
     shape->key = ShapeKey{Hasher().text("pinned").number(part->shape->key.hash).number(pin.z.value_or(0)).value()};
     part->shape = std::move(shape);
@@ -308,6 +329,10 @@ std::vector<PartId> Derivation::crossingParts() {
 
 void Derivation::finishNow() {
   settled();
+  for (const ReliefWork::Wanted& one : wantedReliefs(document(), derived_)) {
+    reliefs_.finish({one});  // one by one: the cache holds a few
+    settled();
+  }
   textures_.finish(wantedTextures(document(), derived_));
   settled();
 }

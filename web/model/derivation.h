@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,8 +37,8 @@ class Derivation {
   void forget();
 
   /// See Studio.
-  Status preview(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape);
-  Status previewLive(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape);
+  Status preview(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape);
+  Status previewLive(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape);
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe);
   void previewSolid(const publish::Substitute& instead);
   void previewPlaced(const document::PlaceParts& places);
@@ -49,7 +51,7 @@ class Derivation {
   std::vector<PartId> crossingParts();
 
   /// Every shape and every solid is what it is going to be; pictures on them may still be made.
-  bool shapesMade() const { return !stale_ && !behind_ && searching_.empty() && !solids_.busy(); }
+  bool shapesMade() const { return !stale_ && !behind_ && searching_.empty() && !reliefs_.busy() && !solids_.busy(); }
   /// Nothing that a file is to hold is still being made.
   bool allMade() const { return shapesMade() && !textures_.busy(); }
   /// Makes all of it, here and now: ribs and textures, not solids.
@@ -74,6 +76,7 @@ class Derivation {
   void findEdges(PictureId id);
   void noteTimes(const pipeline::Derived& before);
   void report();
+  void reportReliefs();
   void reportSolids();
 
   const Session& session_;
@@ -93,7 +96,10 @@ class Derivation {
   std::vector<Search> searching_;  ///< whose edges a worker seeks
   std::vector<std::pair<PartId, Error>> reported_;
   std::vector<std::pair<StepId, Error>> reportedSteps_;
+  std::map<PartId, std::string> toldReliefs_;  ///< what was said last of each
+  bool opened_ = false;                        ///< and not all shown yet
   SolidWork solids_;
+  ReliefWork reliefs_;
   TextureWork textures_;
 };
 

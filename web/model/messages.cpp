@@ -28,6 +28,17 @@ std::string spokenFailure(const Failure& failure) {
   return sentence;
 }
 
+std::string_view reliefWords(const relief::Relief& relief, const pipeline::PartShape& shape) {
+  if (!shape.relief) return {};
+  const pipeline::ReliefFound& found = *shape.relief;
+  if (!found.seen) return words::tr("Too little of the part is seen in the picture for a relief.");
+  if (!found.raises) return words::tr("The picture shows nothing here that could become a relief.");
+  if (found.mode != relief.mode) {
+    return words::tr("The picture shows no light and shadow here, so its dark lines became grooves.");
+  }
+  return found.share < 1 ? words::tr("Any higher, and it would go through itself") : std::string_view();
+}
+
 void sendError(platform::Host& host, std::string_view sentence) { sendToast(host, "error", sentence); }
 void sendInfo(platform::Host& host, std::string_view sentence) { sendToast(host, "info", sentence); }
 void sendHint(platform::Host& host, std::string_view sentence) { sendToast(host, "hint", sentence); }

@@ -9,6 +9,7 @@
 
 #include "engine/base/result.h"
 #include "engine/document/document.h"
+#include "engine/pipeline/part_shape.h"
 #include "web/model/json.h"
 #include "web/platform/host.h"
 
@@ -16,6 +17,9 @@ namespace spineloft::app {
 
 /// failureSentence in the visitor's language.
 std::string spokenFailure(const Failure& failure);
+
+/// What a visitor should know of a relief that was made; empty: nothing.
+std::string_view reliefWords(const relief::Relief& relief, const pipeline::PartShape& shape);
 
 void sendError(platform::Host& host, std::string_view sentence);
 void sendInfo(platform::Host& host, std::string_view sentence);

@@ -52,12 +52,12 @@ class Studio {
   /// What is shown: up to date with the document, derived now if it has to be.
   const pipeline::Derived& derived();
   /// What a recipe would become, with the edges known so far (pipeline::previewShape).
-  Status preview(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
-    return derivation_.preview(recipe, pulls, shape);
+  Status preview(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape) {
+    return derivation_.preview(recipe, worked, shape);
   }
   /// The same while its stroke is being drawn (pipeline::liveShape).
-  Status previewLive(const document::Recipe& recipe, pipeline::Pulls pulls, pipeline::PartShape& shape) {
-    return derivation_.previewLive(recipe, pulls, shape);
+  Status previewLive(const document::Recipe& recipe, pipeline::Worked worked, pipeline::PartShape& shape) {
+    return derivation_.previewLive(recipe, worked, shape);
   }
   /// A stroke as far as it lies on the thing under it (pipeline::strokeOnThing).
   std::vector<PicturePoint> strokeOnThing(const document::LoftRecipe& recipe) {

@@ -30,6 +30,25 @@ std::vector<TextureWork::Wanted> wantedTextures(const document::Document& docume
   return wanted;
 }
 
+std::vector<ReliefWork::Wanted> wantedReliefs(const document::Document& document, const pipeline::Derived& derived) {
+  std::vector<ReliefWork::Wanted> wanted;
+  for (const PartId id : derived.wantedReliefs) {
+    const auto part = std::ranges::find(derived.parts, id, &pipeline::DerivedPart::id);
+    if (part == derived.parts.end() || !part->wantedRelief) continue;
+    wanted.push_back({part->wantedRelief->raised,
+                      [&document, &derived, id] { return pipeline::makeRelief(document, derived, id); }});
+  }
+  return wanted;
+}
+
+void keepEarlierReliefs(const pipeline::Derived& before, pipeline::Derived& now) {
+  for (pipeline::DerivedPart& part : now.parts) {
+    const auto was = std::ranges::find(before.parts, part.id, &pipeline::DerivedPart::id);
+    if (!part.wantedRelief || was == before.parts.end() || !was->shape || !was->shape->smooth) continue;
+    if (*was->shape->smooth == part.wantedRelief->smooth->mesh) part.shape = was->shape;
+  }
+}
+
 void keepEarlierTextures(const pipeline::Derived& before, pipeline::Derived& now) {
   for (pipeline::DerivedPart& part : now.parts) {
     if (!part.shape || part.shape->texture || isTextureKnown(*part.shape)) continue;

@@ -10,9 +10,16 @@
 namespace spineloft::app {
 
 using TextureWork = JobQueue<pipeline::TextureJob>;
+using ReliefWork = JobQueue<pipeline::ReliefJob>;
 
 /// Of Derived::wantedTextures; begins as long as both are as they are.
 std::vector<TextureWork::Wanted> wantedTextures(const document::Document& document, const pipeline::Derived& derived);
+
+/// Of Derived::wantedReliefs; likewise.
+std::vector<ReliefWork::Wanted> wantedReliefs(const document::Document& document, const pipeline::Derived& derived);
+
+/// Parts that wait for a relief and had another one on the same surface stay as they were.
+void keepEarlierReliefs(const pipeline::Derived& before, pipeline::Derived& now);
 
 /// Parts that wait for a texture of their own show that of their earlier shape, where it lies on the same
 /// stretch of the picture: nothing flickers while a part is worked on.

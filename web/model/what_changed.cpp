@@ -59,6 +59,7 @@ constexpr std::array kAspects = {
     Aspect{"Bridge", bridgeDiffers},
     Aspect{"Shape", differs<&Part::recipe>},
     Aspect{"Pull", differs<&Part::pulls>},
+    Aspect{"Relief", differs<&Part::relief>},
     Aspect{"Colour", differs<&Part::look>},
     Aspect{"Place", differs<&Part::placement>},
     Aspect{"Symmetry", differs<&Part::mirror>},

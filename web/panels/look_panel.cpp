@@ -23,44 +23,6 @@ unsigned hexOf(const std::array<std::uint8_t, 3>& colour) {
   return (unsigned{colour[0]} << 16) | (unsigned{colour[1]} << 8) | colour[2];
 }
 
-/// One of several words in a pill.
-struct Choice {
-  const char* id;
-  std::string_view text;
-  bool on;
-};
-
-/// A pill of words, one of which is chosen; returns the one that was pressed, or none.
-std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> choices, float width) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = env.ui().touch ? 44.f : 36.f;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + width, at.y + height}, kTrough, kRadius);
-  const float each = width / static_cast<float>(choices.size());
-  std::optional<std::size_t> pressed;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, 0);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
-    registerControl(env, app::Control::Kind::Button, choices[i].text, true, choices[i].on);
-    const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
-    if (choices[i].on) {
-      list.AddRectFilled(low, high, kSurface, kRadius - 2);
-      list.AddRect(low, high, kLine, kRadius - 2);
-    }
-    ImFont* font = choices[i].on ? env.fonts.bold : env.fonts.text;
-    const Fitted word = fitted(font, choices[i].text, each - 8);
-    const ImVec2 extent = extentOf(font, word.text, word.share);
-    drawLine(list,
-             {font,
-              {corner.x + (each - extent.x) / 2, corner.y + (height - extent.y) / 2},
-              choices[i].on ? kAccent : kMuted,
-              word.share},
-             word.text);
-  }
-  return pressed;
-}
-
 void pictureOrColour(const PanelEnv& env, bool textured, float width) {
   const std::array choices = {Choice{"picture", "Picture", textured}, Choice{"colour", "Colour", !textured}};
   if (const auto pressed = pill(env, choices, width)) {

@@ -81,6 +81,7 @@ void capChooser(const PanelEnv& env, float width);
 void sidesTiles(const PanelEnv& env, const document::MirrorPlane& mirror, float width);
 void placePanel(const PanelEnv& env, float width);  ///< where the selected part stands, in numbers
 void lookPanel(const PanelEnv& env, float width);
-void sizePanel(const PanelEnv& env, float width);  ///< how tall, and the check for printing
+void reliefPanel(const PanelEnv& env, float width);  ///< of the part in hand
+void sizePanel(const PanelEnv& env, float width);    ///< how tall, and the check for printing
 
 }  // namespace spineloft::panels

@@ -255,7 +255,7 @@ bool holdsBack(const PanelEnv& env, const document::Part& part, loft::LoftParams
   document::Recipe recipe = part.recipe;
   std::get<document::LoftRecipe>(recipe).loft = std::move(params);
   pipeline::PartShape shape;
-  if (!env.env.studio.preview(recipe, part.pulls, shape) || !mesh::selfCrossing(shape.mesh)) return false;
+  if (!env.env.studio.preview(recipe, {part.pulls}, shape) || !mesh::selfCrossing(shape.mesh)) return false;
   app::sendStatus(env.env.host, words::tr("Any further, and it would go through itself"));
   return true;
 }

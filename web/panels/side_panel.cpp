@@ -131,6 +131,7 @@ void column(const PanelEnv& env) {
     if (section(env, app::PanelTab::Ends, "ends", forParts(env, "Ends"))) capChooser(env, width);
   }
   if (section(env, app::PanelTab::Look, "look", forParts(env, "Look"))) lookPanel(env, width);
+  if (env.selected() && section(env, app::PanelTab::Relief, "relief", forParts(env, "Relief"))) reliefPanel(env, width);
   if (!env.document().parts.empty() && section(env, app::PanelTab::Size, "size", "How tall?")) sizePanel(env, width);
   const bool placed = env.selected() != nullptr && isOffered(env, app::PanelTab::Place);
   if (placed && section(env, app::PanelTab::Place, "place", "Place")) placePanel(env, width);
@@ -222,6 +223,11 @@ void strip(const PanelEnv& env, const app::Rect& at) {
       break;
     case app::PanelTab::Look:
       lookPanel(env, inside);
+      if (env.selected() == nullptr) break;
+      label(env.fonts.bold, kInk, "Relief");
+      reliefPanel(env, inside);
+      break;
+    case app::PanelTab::Relief:  // no tab of its own
       break;
     case app::PanelTab::Size:
       sizePanel(env, inside);

@@ -526,4 +526,35 @@ void dragScroll() {
 
 float buttonSide(const PanelEnv& env) { return env.ui().touch ? 44.f : 36.f; }
 
+std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> choices, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = env.ui().touch ? 44.f : 36.f;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + width, at.y + height}, kTrough, kRadius);
+  const float each = width / static_cast<float>(choices.size());
+  std::optional<std::size_t> pressed;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, 0);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(choices[i].id, {each, height}) && !choices[i].on) pressed = i;
+    const std::string_view said = choices[i].said.empty() ? choices[i].text.words : choices[i].said;
+    registerControl(env, app::Control::Kind::Button, said, true, choices[i].on);
+    const ImVec2 low{corner.x + 3, corner.y + 3}, high{corner.x + each - 3, corner.y + height - 3};
+    if (choices[i].on) {
+      list.AddRectFilled(low, high, kSurface, kRadius - 2);
+      list.AddRect(low, high, kLine, kRadius - 2);
+    }
+    ImFont* font = choices[i].on ? env.fonts.bold : env.fonts.text;
+    const Fitted word = fitted(font, choices[i].text, each - 8);
+    const ImVec2 extent = extentOf(font, word.text, word.share);
+    drawLine(list,
+             {font,
+              {corner.x + (each - extent.x) / 2, corner.y + (height - extent.y) / 2},
+              choices[i].on ? kAccent : kMuted,
+              word.share},
+             word.text);
+  }
+  return pressed;
+}
+
 }  // namespace spineloft::panels

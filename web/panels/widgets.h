@@ -4,7 +4,10 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -186,6 +189,16 @@ bool tile(const PanelEnv& env, const Tile& tile, const TilePaint& paint);
 
 /// A tile that runs a command, with its icon and its word, or the first of its words where there is no room for all.
 void commandTile(const PanelEnv& env, app::CommandId id, ImVec2 size);
+
+/// One of several words in a pill.
+struct Choice {
+  const char* id = "";
+  Text text = "";
+  bool on = false;
+  std::string_view said = {};  ///< to a screen reader; empty: the text
+};
+/// A pill of words, one of which is chosen; the one that was pressed, or none.
+std::optional<std::size_t> pill(const PanelEnv& env, std::span<const Choice> choices, float width);
 
 /// Scrolls the current window when a finger or the mouse drags its content, unless that is a slider that is moved.
 void dragScroll();

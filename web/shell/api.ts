@@ -76,6 +76,9 @@ export interface Placement {
   degrees: [number, number, number];
 }
 
+/** What of a picture becomes heights: dark strokes, brightness, or light and shadow. */
+export type ReliefMode = 'ink' | 'bright' | 'shade';
+
 /** Where a bridge stands on a part. */
 export interface BridgeEnd {
   part: number;
@@ -183,6 +186,15 @@ export interface Part {
   pulls: { points: number; height: number; to: number; radius: number; crease: boolean; ring: number; share: number }[];
   /** Of a bridge: the parts that it joins, and its rims on them. */
   bridge: { from: BridgeEnd; to: BridgeEnd } | null;
+  /** Detail that a picture gives to its front; null: none. `region`: how many lines bound it (0: all that is seen); `made` is null until it is known: `mode` is 'ink' where light and shadow were asked for and explain less than a fifth of the brightness, `seen` false where too little of the part is seen, `raises` false where the picture shows nothing that could become a relief, `share` that of the height that it could have without going through itself. */
+  relief: {
+    mode: ReliefMode;
+    height: number;
+    smooth: number;
+    region: number;
+    laid: { picture: number; at: PicturePoint; width: number; turn: number } | null;
+    made: { mode: ReliefMode; seen: boolean; raises: boolean; explained: number; share: number } | null;
+  } | null;
   triangles: number;
   visible: boolean;
   /** True with the picture on it, else it has the plain colour '#rrggbb'. */

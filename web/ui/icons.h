@@ -93,6 +93,7 @@ inline constexpr std::array kIcons = {
     Icon{"crosshair", 57516},
     Icon{"mountain", 57905},
     Icon{"cable", 58595},
+    Icon{"stamp", 58299},
     Icon{"move-3d", 58085},
     Icon{"move", 57633},
     Icon{"arrow-left-right", 57930},

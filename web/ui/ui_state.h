@@ -68,7 +68,7 @@ constexpr bool cutsOut(ToolKind tool) { return tool == ToolKind::Inflate || tool
 enum class Focus : std::uint8_t { Picture, Solid };
 /// The bar whose menu is open: see panels/bar_menu.h.
 enum class BarMenu : std::uint8_t { None, Picture, Solid, Edit, Board };
-enum class PanelTab : std::uint8_t { Parts, Section, Along, Ends, Look, Size, Place };
+enum class PanelTab : std::uint8_t { Parts, Section, Along, Ends, Look, Relief, Size, Place };
 
 /// A part in the making: what it would become if the gesture in hand ended now. Whoever leads the
 /// gesture changes `recipe` and sets `fresh` to false; the page derives the shape as often as time
@@ -76,6 +76,7 @@ enum class PanelTab : std::uint8_t { Parts, Section, Along, Ends, Look, Size, Pl
 struct Preview {
   document::Recipe recipe;
   std::vector<pull::Pull> pulls;
+  std::optional<relief::Relief> relief;
   PartId part;  ///< the one that it replaces on the screen; none: a new part
   document::Look look;
   bool fresh = false;                   ///< `shape` is of this very recipe
@@ -319,7 +320,8 @@ struct UiState {
   ToolKind tool = ToolKind::Draw;
   Focus focus = Focus::Picture;
   PanelTab tab = PanelTab::Section;
-  unsigned folded = 1u << static_cast<unsigned>(PanelTab::Along);  ///< bits of the column's sections
+  unsigned folded = (1u << static_cast<unsigned>(PanelTab::Along)) |
+                    (1u << static_cast<unsigned>(PanelTab::Relief));  ///< bits of the column's sections
   PartId selection;
   PartId chosenPart;  ///< the last one that the visitor chose; what is only just drawn is selected without that
   Hover hover;

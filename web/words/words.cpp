@@ -133,7 +133,8 @@ std::string_view nameOf(std::string_view name) {
   };
   constexpr std::array kKinds = {Kind{"Part ", text("Part {n}")},       Kind{"Solid ", text("Solid {n}")},
                                  Kind{"Group ", text("Group {n}")},     Kind{"Sketch ", text("Sketch {n}")},
-                                 Kind{"Picture ", text("Picture {n}")}, Kind{"My slice ", text("My slice {n}")}};
+                                 Kind{"Picture ", text("Picture {n}")}, Kind{"My slice ", text("My slice {n}")},
+                                 Kind{"Bridge ", text("Bridge {n}")}};
   for (const Kind& kind : kKinds) {
     if (!name.starts_with(kind.word)) continue;
     const std::string_view digits = name.substr(kind.word.size());

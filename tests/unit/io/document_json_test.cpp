@@ -260,6 +260,7 @@ TEST_CASE("a document whose ids leave no room for more is numbered anew, with al
       if (ElementRecipe* element = elementOf(part)) lift(element->drawing);
       setPicture(part.recipe, PictureId{pictureOf(part).value + kMostOpenedId});
       for (Outline* outline : outlinesOf(part.recipe)) lift(outline->picture);
+      if (part.relief && part.relief->laid) lift(part.relief->laid->picture);
       if (BridgeRecipe* bridge = bridgeOf(part)) {
         lift(bridge->from.part);
         lift(bridge->to.part);

@@ -464,6 +464,16 @@ TEST_CASE("the golden document with bridges reads as what was written") {
   CHECK(handle->bridge == bridge::BridgeParams{});
 }
 
+TEST_CASE("the golden document with reliefs reads as what was written") {
+  const document::Document read = readWhole("golden/document-v2-reliefs.json");
+  REQUIRE(read.parts.size() == 2);
+  relief::Relief laid{relief::Mode::Bright, -0.035, 0.4, {}, relief::Laid{PictureId{2}, {60, 58.5}, 48, 0.25}};
+  relief::Relief within{relief::Mode::Shade, 0.02, 0.2, {}, {}};
+  within.region = {{{120, 30}, {170, 30}, {145, 90}}, {{140, 45}, {150, 45}, {145, 60}}};
+  CHECK(read.parts[0]->relief == laid);
+  CHECK(read.parts[1]->relief == within);
+}
+
 TEST_CASE("the golden documents hold every key that a document can have") {
   std::set<std::string> found, wanted;
   for (const auto& [name, bytes] : testFiles("golden")) {
@@ -476,8 +486,8 @@ TEST_CASE("the golden documents hold every key that a document can have") {
   for (const std::string& key : wanted) {
     CHECK_MESSAGE(found.contains(key), key);
     // A key that is spelled takes as many characters of a link as its name has; the examples never change.
-    static const std::set<std::string> kCameLater{"acrossTo", "bow",  "crease",   "forkAt", "joinAt",
-                                                  "links",    "melt", "on",       "pulls",  "radius",
+    static const std::set<std::string> kCameLater{"acrossTo", "bow",  "crease",   "forkAt", "joinAt", "laid",
+                                                  "links",    "melt", "on",       "pulls",  "radius", "relief",
                                                   "rim",      "ring", "seenFrom", "waist"};  // than version 6
     CHECK_MESSAGE(isPackedWord(key) != kCameLater.contains(key), key);
   }

@@ -120,7 +120,7 @@ TEST_CASE("what is kept of pulls changes nothing: a mesh made anew is the same")
     const Document other = pulled(document, {nose, kBrow});
     Cache fresh;
     CHECK(shapeOf(other, used)->mesh == shapeOf(other, fresh)->mesh);
-    const auto preview = previewShape(document, document.parts[0]->recipe, used, {}, other.parts[0]->pulls);
+    const auto preview = previewShape(document, document.parts[0]->recipe, used, {}, {other.parts[0]->pulls});
     REQUIRE(preview.ok());
     CHECK(preview.value().mesh == shapeOf(other, fresh)->mesh);
   }
@@ -130,11 +130,11 @@ TEST_CASE("what is kept of pulls changes nothing: a mesh made anew is the same")
   // What a moving hand leaves behind does not get into what stays: the first pull stops, and another one follows it.
   const std::vector<pull::Pull> both{deep, kBrow};
   Cache anew;
-  REQUIRE(liveShape(document, document.parts[0]->recipe, used, {}, both).ok());
-  CHECK(previewShape(document, document.parts[0]->recipe, used, {}, both).value().mesh ==
-        previewShape(document, document.parts[0]->recipe, anew, {}, both).value().mesh);
-  const auto live = liveShape(document, document.parts[0]->recipe, used, {}, pulls);
-  const auto rested = previewShape(document, document.parts[0]->recipe, used, {}, pulls);
+  REQUIRE(liveShape(document, document.parts[0]->recipe, used, {}, {both}).ok());
+  CHECK(previewShape(document, document.parts[0]->recipe, used, {}, {both}).value().mesh ==
+        previewShape(document, document.parts[0]->recipe, anew, {}, {both}).value().mesh);
+  const auto live = liveShape(document, document.parts[0]->recipe, used, {}, {pulls});
+  const auto rested = previewShape(document, document.parts[0]->recipe, used, {}, {pulls});
   CHECK(live.value().quality == TraceQuality::Live);
   CHECK(live.value().pulled[0].share == 1);
   CHECK(rested.value().quality == TraceQuality::Final);
@@ -190,13 +190,13 @@ TEST_CASE("a part from one line is pulled in its pose, with guessed ribs as well
   document = update(document, SetPulls{PartId{1}, {{{{80, -75, 20}}, 12, {}, 15, false}}}).value();
   const auto& pulls = document.parts[0]->pulls;
   Cache cache;
-  const auto guessed = previewShape(document, document.parts[0]->recipe, cache, {}, pulls);
+  const auto guessed = previewShape(document, document.parts[0]->recipe, cache, {}, {pulls});
   REQUIRE(guessed.ok());
   testing::requireLawful(guessed.value().mesh);
   const PartShape found = *shapeOf(document, cache);
   testing::requireLawful(found.mesh);
   REQUIRE(found.pulled.size() == 1);
   CHECK(found.pulled[0].points[0].x == doctest::Approx(80).epsilon(0.1));
-  const auto again = previewShape(document, document.parts[0]->recipe, cache, {}, pulls);
+  const auto again = previewShape(document, document.parts[0]->recipe, cache, {}, {pulls});
   CHECK(again.value().mesh == found.mesh);
 }

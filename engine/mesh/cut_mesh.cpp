@@ -1,20 +1,13 @@
-#include "engine/pull/cut_mesh.h"
+#include "engine/mesh/cut_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 #include <utility>
 
-#include "engine/geometry/polyline.h"
+namespace spineloft::mesh {
 
-namespace spineloft::pull {
-namespace {
-
-using mesh::kNone, mesh::lastHalfEdge, mesh::nextHalfEdge;
-
-}  // namespace
-
-CutMesh::CutMesh(const mesh::TriMesh& mesh) : mesh_(mesh), twins_(mesh::findTwins(mesh).of) {}
+CutMesh::CutMesh(const TriMesh& mesh) : mesh_(mesh), twins_(mesh::findTwins(mesh).of) {}
 
 std::uint32_t CutMesh::longest(std::uint32_t triangle) const {
   const auto rank = [&](std::uint32_t half) {
@@ -27,6 +20,16 @@ std::uint32_t CutMesh::longest(std::uint32_t triangle) const {
     if (rank(half) > rank(best)) best = half;
   }
   return best;
+}
+
+std::uint32_t CutMesh::terminal(std::uint32_t triangle) const {
+  std::uint32_t half = longest(triangle);
+  while (twins_[half] != kNone) {
+    const std::uint32_t next = longest(twins_[half] / 3);
+    if (next == twins_[half]) break;
+    half = next;
+  }
+  return half;
 }
 
 std::uint32_t CutMesh::addVertex(std::uint32_t a, std::uint32_t b, double share) {
@@ -124,4 +127,4 @@ std::uint32_t CutMesh::splitTriangle(std::uint32_t triangle, ModelPoint p) {
   return onEdge;
 }
 
-}  // namespace spineloft::pull
+}  // namespace spineloft::mesh

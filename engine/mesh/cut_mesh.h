@@ -1,4 +1,4 @@
-// A closed mesh that is cut finer without a change of its surface. Internal to pull/.
+// A closed mesh that is cut finer without a change of its surface.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,26 @@
 #include "engine/mesh/topology.h"
 #include "engine/mesh/tri_mesh.h"
 
-namespace spineloft::pull {
+namespace spineloft::mesh {
 
 class CutMesh {
  public:
-  explicit CutMesh(const mesh::TriMesh& mesh);
+  explicit CutMesh(const TriMesh& mesh);
 
-  const mesh::TriMesh& mesh() const { return mesh_; }
-  mesh::TriMesh take() { return std::move(mesh_); }
+  const TriMesh& mesh() const { return mesh_; }
+  TriMesh take() { return std::move(mesh_); }
   std::size_t triangles() const { return mesh_.triangles.size(); }
-  ModelPoint at(std::uint32_t vertex) const { return mesh::modelPoint(mesh_, vertex); }
-  std::uint32_t from(std::uint32_t half) const { return mesh::cornerVertex(mesh_, half); }
-  std::uint32_t to(std::uint32_t half) const { return from(mesh::nextHalfEdge(half)); }
-  /// mesh::kNone beyond a boundary.
+  ModelPoint at(std::uint32_t vertex) const { return modelPoint(mesh_, vertex); }
+  std::uint32_t from(std::uint32_t half) const { return cornerVertex(mesh_, half); }
+  std::uint32_t to(std::uint32_t half) const { return from(nextHalfEdge(half)); }
+  /// kNone beyond a boundary.
   std::uint32_t twin(std::uint32_t half) const { return twins_[half]; }
   double length(std::uint32_t half) const { return distance(at(from(half)), at(to(half))); }
   /// The longest edge of a triangle; of equally long ones always the same, whichever triangle asks.
   std::uint32_t longest(std::uint32_t triangle) const;
+  /// The edge that is the longest one of both its triangles, on the way over longest edges (Rivara 1984): to split it
+  /// keeps triangles from getting thin.
+  std::uint32_t terminal(std::uint32_t triangle) const;
   /// Twice the area, along the normal.
   ModelPoint areaNormal(std::uint32_t triangle) const { return mesh::areaNormal(mesh_, triangle); }
   /// The place of a triangle nearest to p.
@@ -49,8 +52,8 @@ class CutMesh {
   /// the part behind `middle`.
   std::uint32_t halve(std::uint32_t half, std::uint32_t middle);
 
-  mesh::TriMesh mesh_;
+  TriMesh mesh_;
   std::vector<std::uint32_t> twins_;
 };
 
-}  // namespace spineloft::pull
+}  // namespace spineloft::mesh
