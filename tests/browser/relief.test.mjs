@@ -59,7 +59,7 @@ for (const [where, device, draw] of [
       assert.ok(now.parts[0].triangles > before.parts[0].triangles);
       const { at } = await control(page, 'Height of the relief', { kind: 'slider', touch });
       const [x, y, width, height] = at;
-      const path = [0.6, 0.65, 0.7, 0.75].map((share) => [x + share * width, y + height / 2]);
+      const path = [0.4, 0.35, 0.3, 0.25].map((share) => [x + share * width, y + height / 2]);
       const [first, ...others] = await onCanvas(page, ...path);
       const pointer = await handOf(page, touch ? 'finger' : 'mouse');
       await pointer.down(first);
