@@ -157,7 +157,7 @@ void Cache::endRound(const std::vector<std::uint64_t>& usedEdges) {
 
 std::size_t Cache::bytes() const {
   std::size_t sum = ignored_.bytes() + traced_.bytes() + previews_.bytes() + interiors_.bytes() + drawings_.bytes() +
-                    unpulled_.bytes() + reaches_.bytes();
+                    unpulled_.bytes() + reaches_.bytes() + heights_.bytes() + raised_.bytes();
   for (const ShapeSlot& slot : shapes_) sum += slot.bytes;
   return sum;
 }

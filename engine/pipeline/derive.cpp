@@ -225,6 +225,7 @@ Result<std::shared_ptr<const PartShape>> hostShape(const document::Document& doc
   if (host == nullptr) return Error::HostGone;
   const document::PictureEntry& entry = *findPicture(document, pictureOf(*host));
   if (auto known = cache.shape(shapeKey(*host, entry, document))) return known;
+  if (auto known = cache.shape(smoothKey(*host, entry, document))) return known;
   if (needsEdges(host->recipe) && !cache.edges(entry.contentHash)) return Error::HostGone;
   PartShape shape;
   const Made from{host->recipe, entry, document, host->id, {host->pulls, nullptr}};
@@ -349,7 +350,7 @@ std::shared_ptr<ReliefJob> makeRelief(const document::Document& document, const 
   const document::PictureEntry* from = own ? reliefPicture(document, *part->relief, *own) : nullptr;
   const auto entry = std::ranges::find_if(document.pictures, [&](const auto& box) { return &*box == from; });
   const auto number = static_cast<std::size_t>(entry - document.pictures.begin());
-  if (from == nullptr || number >= derived.pictures.size()) return nullptr;
+  if (from == nullptr || number >= derived.pictures.size() || !derived.pictures[number]) return nullptr;
   try {
     return std::make_shared<ReliefJob>(*at->wantedRelief, sizeOf(*own), *part->relief, derived.pictures[number]);
   } catch (const std::bad_alloc&) {

@@ -34,8 +34,8 @@ Found find(const relief::Surface& surface, const relief::Relief& relief, const d
   if (search == Search::Known || (!found.heights && search == Search::Live && !isQuick(relief))) return {};
   if (!found.heights) {
     const auto pixels = cache.pixels(from);
-    found.heights =
-        std::make_shared<const relief::Heights>(relief::heightsOf(surface, relief, pixels ? pixels.value() : nullptr));
+    if (!pixels) return {};
+    found.heights = std::make_shared<const relief::Heights>(relief::heightsOf(surface, relief, pixels.value()));
   }
   const bool keeps = key && search == Search::All;
   found.raised = raisedAs(surface, *found.heights, relief,

@@ -47,7 +47,7 @@ double facing(const Surface& surface, std::uint32_t triangle);
 PicturePoint cellOf(const Surface& surface, const Grid& grid, std::uint32_t vertex);
 
 /// How thick the part is below a place of its front that lies at (x, y) in cells, ModelSpace: how far the nearest place
-/// is that faces away, of those that lie there or in eight ways from there in the picture, within a tenth of the part.
+/// is that faces away, of those that lie there or in eight ways from there in the picture, up to 27 cells far.
 /// Infinite where there is none.
 double thicknessAt(const Front& front, double x, double y, ModelPoint place);
 

@@ -409,14 +409,6 @@ test('what happens is said in live regions: the picture, the parts, refusals', (
       { x: at.x + 330, y: at.y + 110 },
     ]);
     assert.match(await toastText(page), /crosses itself/);
-    // What is done next takes it away, once it could be read.
-    await page.waitForTimeout(1600);
-    const axis = [
-      [100, 150],
-      [100, 60],
-    ];
-    await run(page, 'draw-shape', { kind: 'ball', axis });
-    assert.equal(await page.locator('.toast-error').count(), 0);
   }));
 
 test('what a command says of its step in a toast is not said in the status line as well', () =>

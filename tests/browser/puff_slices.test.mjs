@@ -2,20 +2,8 @@
 // that is a doughnut. An action is a press or a stroke.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { control, handOf, onCanvas, press, strokeAlong } from './support/hands.mjs';
-import {
-  exported,
-  framed,
-  idle,
-  kPhone,
-  kTablet,
-  onPage,
-  run,
-  state,
-  toastText,
-  toClient,
-  useSite,
-} from './support/page.mjs';
+import { control, dragSlider, press, strokeAlong } from './support/hands.mjs';
+import { exported, idle, kPhone, kTablet, onPage, run, state, toastText, toClient, useSite } from './support/page.mjs';
 import { kRounds } from '../support/rounds.mjs';
 
 const kit = useSite();
@@ -105,19 +93,9 @@ for (const hand of ['mouse', 'finger', 'pen'])
       await idle(page);
       await run(page, 'puff');
       await strokeAlong(page, hand, await toClient(page, round(510, 384, 190, 190)));
-      const { at, slide } = await control(page, 'Height', { kind: 'slider', touch: hand === 'finger' });
+      const { slide } = await control(page, 'Height', { kind: 'slider', touch: hand === 'finger' });
       const { undo } = await state(page);
-      const [x, y, width, height] = at;
-      const path = [0.55, 0.6, 0.66, 0.72, 0.8].map((share) => [x + share * width, y + height / 2 + 10 * share]);
-      const [first, ...others] = await onCanvas(page, ...path),
-        pointer = await handOf(page, hand);
-      await pointer.down(first);
-      for (const place of others) {
-        await pointer.move(place);
-        await framed(page);
-      }
-      await pointer.up();
-      await idle(page);
+      await dragSlider(page, 'Height', [0.55, 0.6, 0.66, 0.72, 0.8], hand);
       const after = await state(page);
       assert.equal(after.undo, undo + 1);
       const now = after.controls.find(({ words, kind }) => words === 'Height' && kind === 'slider');

@@ -12,7 +12,7 @@ import {
   onCanvas,
   press,
 } from './support/hands.mjs';
-import { exported, framed, idle, kDesk, kPhone, onPage, reload, run, state, useSite } from './support/page.mjs';
+import { exported, idle, kDesk, kPhone, onPage, reload, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
 
@@ -57,18 +57,7 @@ for (const [where, device, draw] of [
       assert.equal(now.undo, before.undo + 1);
       assert.deepEqual(now.parts[0].relief.made, { mode: 'ink', seen: true, raises: true, explained: 0, share: 1 });
       assert.ok(now.parts[0].triangles > before.parts[0].triangles);
-      const { at } = await control(page, 'Height of the relief', { kind: 'slider', touch });
-      const [x, y, width, height] = at;
-      const path = [0.4, 0.35, 0.3, 0.25].map((share) => [x + share * width, y + height / 2]);
-      const [first, ...others] = await onCanvas(page, ...path);
-      const pointer = await handOf(page, touch ? 'finger' : 'mouse');
-      await pointer.down(first);
-      for (const place of others) {
-        await pointer.move(place);
-        await framed(page);
-      }
-      await pointer.up();
-      await idle(page);
+      await dragSlider(page, 'Height of the relief', [0.4, 0.35, 0.3, 0.25], touch ? 'finger' : 'mouse');
       now = await state(page);
       assert.ok(now.parts[0].relief.height > 0.03, `${now.parts[0].relief.height}`);
       assert.equal(now.undo, before.undo + 2);

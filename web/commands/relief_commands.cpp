@@ -97,6 +97,9 @@ Outcome reliefRow(Env env, const Json& args) {
       relief.region = *region;
     }
     if (!takeLaid(env, args, *part, relief)) return refuse({Error::NoSuchPicture, {}});
+    const bool places = args.find("at") || args.find("width") || args.find("turn");
+    if (places && !relief.laid)
+      return missing("a picture that is laid on the part (from): at, width and turn place it");
     all.push_back({id, std::move(relief)});
   }
   if (!off) {

@@ -20,7 +20,7 @@ void writeRelief(JsonWriter& json, const document::Part& part, const pipeline::D
     json.null();
   }
   json.key("made");
-  if (derived.shape && derived.shape->relief) {
+  if (derived.shape && derived.shape->relief && !derived.waiting && !derived.wantedRelief) {
     const auto& [mode, seen, raises, explained, share] = *derived.shape->relief;
     json.beginObject()
         .key("mode")

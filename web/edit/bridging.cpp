@@ -31,7 +31,7 @@ std::optional<Host> shownHost(const document::Document& document, const pipeline
   if (part == nullptr || document::bridgeOf(*part) || made == derived.parts.end() || !made->shape) return std::nullopt;
   const document::PictureEntry* entry = document::findPicture(document, document::pictureOf(*part));
   if (entry == nullptr || !pipeline::isVisible(document, *part)) return std::nullopt;
-  return Host{part, &made->shape->mesh, *pipeline::copiesInWorld(*part, entry->size).begin()};
+  return Host{part, &smoothMesh(*made->shape), *pipeline::copiesInWorld(*part, entry->size).begin()};
 }
 
 std::vector<ModelPoint> circle(ModelPoint middle, ModelPoint normal, double radius) {

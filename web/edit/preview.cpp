@@ -77,14 +77,14 @@ void growPreview(UiState& ui, Studio& studio, const platform::Host& host) {
   preview.fresh = true;
   preview.exactMs.reset();
   pipeline::PartShape& shape = preview.shape.room();
-  // Pulls and reliefs under a moving hand go all their way: whether the part then goes through itself says the exact
+  // Pulls under a moving hand go all their way: whether the part then goes through itself says the exact
   // shape alone.
-  const bool exact = rests || (preview.guarded && (!preview.pulls.empty() || preview.relief));
+  const bool exact = rests || (preview.guarded && !preview.pulls.empty());
   const pipeline::Worked worked{preview.pulls, preview.relief ? &*preview.relief : nullptr};
   const Status made =
       exact ? studio.preview(preview.recipe, worked, shape) : studio.previewLive(preview.recipe, worked, shape);
   if (made && preview.guarded) {
-    const auto at = mesh::selfCrossing(shape.mesh);
+    const auto at = mesh::selfCrossing(smoothMesh(shape));
     preview.crossing = at ? std::optional(ModelPoint{(*at)[0], (*at)[1], (*at)[2]}) : std::nullopt;
     if (!at) preview.taken = preview.recipe;
   }
@@ -119,7 +119,8 @@ void guardPreview(UiState& ui, const document::Document& document, const pipelin
   if (!ui.preview || ui.preview->guarded) return;
   const document::Part* part = document::findPart(document, ui.preview->part);
   const auto now = std::ranges::find(derived.parts, ui.preview->part, &pipeline::DerivedPart::id);
-  if (part == nullptr || now == derived.parts.end() || !now->shape || mesh::selfCrossing(now->shape->mesh)) return;
+  if (part == nullptr || now == derived.parts.end() || !now->shape || mesh::selfCrossing(smoothMesh(*now->shape)))
+    return;
   ui.preview->guarded = true;
   ui.preview->taken = part->recipe;
 }

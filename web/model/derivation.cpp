@@ -36,7 +36,14 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
       pool_(pool),
       solids_(host),
       reliefs_(
-          pool_, [this](const pipeline::ReliefJob& job) { stale_ = job.keepIn(cache_) || stale_; },
+          pool_,
+          [this](const pipeline::ReliefJob& job) {
+            if (job.keepIn(cache_)) {
+              stale_ = true;
+            } else {
+              sendError(host_, spokenFailure({Error::OutOfMemory, {}}));
+            }
+          },
           [this] { stale_ = true; }),
       textures_(
           pool_,
@@ -48,6 +55,7 @@ Derivation::Derivation(const Session& session, platform::Host& host, WorkerPool&
 
 void Derivation::documentChanged() {
   stale_ = true;
+  opened_ = false;
   preview_.reset();
 }
 
@@ -56,9 +64,9 @@ void Derivation::forget() {
   cache_.clear();
   reported_.clear();
   toldReliefs_.clear();
-  opened_ = true;
   reportedSteps_.clear();
   documentChanged();
+  opened_ = true;
 }
 
 const pipeline::Derived& Derivation::shown() {
@@ -124,7 +132,7 @@ void Derivation::report() {
 void Derivation::reportReliefs() {
   for (const pipeline::DerivedPart& part : derived_.parts) {
     const document::Part* now = document::findPart(document(), part.id);
-    if (now == nullptr || !part.shape || part.wantedRelief) continue;
+    if (now == nullptr || !part.shape || part.waiting || part.wantedRelief) continue;
     const std::string_view words = now->relief ? reliefWords(*now->relief, *part.shape) : std::string_view();
     std::string& told = toldReliefs_[part.id];
     if (told == words) continue;
@@ -216,7 +224,9 @@ void Derivation::carryBridges(const document::Document& document, const publish:
     const document::BridgeRecipe* bridge = part ? document::bridgeOf(*part) : nullptr;
     if (bridge == nullptr || !derived.shape) continue;
     const auto meshOf = [&](PartId host) -> const mesh::TriMesh* {
-      if (instead != nullptr && instead->part == host) return instead->mesh;
+      const document::Part* in = document::findPart(document, host);
+      // Below its relief nothing is known of it: the bridge goes along when the hand lets go.
+      if (instead != nullptr && instead->part == host) return in && in->relief ? nullptr : instead->mesh;
       const auto at = std::ranges::find(preview_->parts, host, &pipeline::DerivedPart::id);
       return at == preview_->parts.end() || !at->shape ? nullptr : &smoothMesh(*at->shape);
     };

@@ -67,7 +67,9 @@ struct Number {
 /// A slider that shows what it would do and does it when it is let go.
 void slider(const PanelEnv& env, const document::Part& part, const Number& number, float width) {
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
-  Relief relief = preview && preview->relief ? *preview->relief : *part.relief;
+  // What a preview shows may be of another time.
+  const bool isOfNow = preview && preview->relief && preview->relief->laid.has_value() == part.relief->laid.has_value();
+  Relief relief = isOfNow ? *preview->relief : *part.relief;
   auto value = static_cast<float>(number.of(relief) * number.factor);
   label(env.fonts.small, kMuted, number.label);
   ImGui::SetNextItemWidth(width);

@@ -31,7 +31,7 @@ import { ToolChoice, wantsAllTools } from './tool_choice.ts';
 import { kSamples, sampleAddress } from './start_page.ts';
 import type { Sample } from './start_page.ts';
 import type { Task } from './tasks.ts';
-import { toast, toastOfModel, withdrawReadErrors } from './toasts.ts';
+import { toast, toastOfModel } from './toasts.ts';
 import type { ToastAction } from './toasts.ts';
 import { gifOf, pngOf, stillOf } from './turntable.ts';
 import type { TurntableEvent } from './turntable.ts';
@@ -190,7 +190,6 @@ export class Page {
         void this.turntable(event);
         break;
       case 'journal':
-        withdrawReadErrors();
         this.keeper?.take(event);
         break;
       case 'keep':

@@ -34,14 +34,6 @@ export function withdrawToasts(): void {
   for (const element of byId('toasts').querySelectorAll('[data-of-model]')) element.remove();
 }
 
-/** The model is another one now: why an earlier try came to nothing goes, once it could be read. */
-export function withdrawReadErrors(): void {
-  for (const element of byId('toasts').querySelectorAll<HTMLElement>('.toast-error[data-of-model]')) {
-    const isAsking = element.querySelector('.toast-action') !== null;
-    if (!isAsking && performance.now() - Number(element.dataset.made) > kFirstMs) element.remove();
-  }
-}
-
 /** Whether a toast waits for an answer. */
 export function isAsked(): boolean {
   return byId('toasts').querySelector('.toast-action') !== null;
@@ -107,7 +99,6 @@ function show(text: string, level: ToastLevel, action?: ToastAction): HTMLElemen
   close.addEventListener('click', () => element.remove());
   // What is in the way goes when the hand goes on, once it could be read.
   const made = performance.now();
-  element.dataset.made = String(made);
   const goOn = (event: PointerEvent) => {
     if (!element.isConnected) return document.removeEventListener('pointerdown', goOn, true);
     const isOld = performance.now() - made > kFirstMs;

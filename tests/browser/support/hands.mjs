@@ -185,6 +185,22 @@ export async function placeOf(page, words, which) {
   return at;
 }
 
+/** Drags a slider over these shares of its width, frame by frame, a little downwards. */
+export async function dragSlider(page, words, shares, device = 'mouse') {
+  const { at } = await control(page, words, { kind: 'slider', touch: device === 'finger' });
+  const [x, y, width, height] = at;
+  const path = shares.map((share) => [x + share * width, y + height / 2 + 10 * share]);
+  const [first, ...others] = await onCanvas(page, ...path);
+  const pointer = await handOf(page, device);
+  await pointer.down(first);
+  for (const place of others) {
+    await pointer.move(place);
+    await framed(page);
+  }
+  await pointer.up();
+  await idle(page);
+}
+
 /** Presses what the canvas shows with these words, with the mouse or, where `touch` is true, with a finger. */
 export async function press(page, words, { touch = false, ...which } = {}) {
   const found = await control(page, words, { touch, ...which });

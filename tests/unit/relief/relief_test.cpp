@@ -222,6 +222,22 @@ TEST_CASE("a grid has at most 256 cells on a side, of a part of any size") {
   }
 }
 
+TEST_CASE("a mesh has no more triangles than it may have") {
+  const auto picture = painted([](double x, double y) { return 0.5 + 0.5 * std::sin(x / 2) * std::sin(y / 2); });
+  const mesh::TriMesh host = ball();
+  const Heights heights = heightsOf({host, kPaper}, reliefOf(Mode::Bright), picture);
+  const Values values = finished(heights, 0);
+  const Raised whole = raisedBy({host, kPaper}, heights.front, values);
+  const Raised coarse = raisedBy({host, kPaper}, heights.front, values, kLiveTriangles);
+  CHECK(whole.mesh.triangles.size() > 25000);
+  CHECK(whole.mesh.triangles.size() <= kMostTriangles);
+  CHECK(coarse.mesh.triangles.size() <= kLiveTriangles);
+  CHECK(coarse.mesh.triangles.size() > 0.9 * kLiveTriangles);
+  mesh::TriMesh out;
+  raiseMesh(coarse, 0.02, out);
+  testing::requireLawful(out);
+}
+
 TEST_CASE("a part that is smaller than 24 pixels, or of which nothing is seen, has no relief") {
   const auto picture = painted(drawn);
   CHECK_FALSE(heightsOf({seen(testing::ball({100, -100, 0}, 11)), kPaper}, reliefOf(Mode::Ink), picture).found());
