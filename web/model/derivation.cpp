@@ -132,12 +132,13 @@ void Derivation::report() {
 void Derivation::reportReliefs() {
   for (const pipeline::DerivedPart& part : derived_.parts) {
     const document::Part* now = document::findPart(document(), part.id);
-    if (now == nullptr || !part.shape || part.waiting || part.wantedRelief) continue;
-    const std::string_view words = now->relief ? reliefWords(*now->relief, *part.shape) : std::string_view();
-    std::string& told = toldReliefs_[part.id];
+    const bool isMade = part.shape && !part.waiting && !part.wantedRelief;
+    if (now == nullptr || !now->relief || !isMade) continue;
+    const std::string_view words = reliefWords(*now->relief, *part.shape);
+    std::string& told = toldReliefs_[part.id];  // undo and redo do not tell it again
     if (told == words) continue;
     told = words;
-    if (!words.empty() && !opened_) sendStatus(host_, words);  // what a file brings along is not told
+    if (!words.empty() && !opened_) sendHint(host_, words);  // what a file brings along is not told
   }
   if (shapesMade()) opened_ = false;
 }
