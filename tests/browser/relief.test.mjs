@@ -2,16 +2,7 @@
 // tests/unit/relief and tests/unit/pipeline/relief_shape_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {
-  control,
-  drawWithFinger,
-  drawWithMouse,
-  findControl,
-  handOf,
-  line,
-  onCanvas,
-  press,
-} from './support/hands.mjs';
+import { dragSlider, drawWithFinger, drawWithMouse, findControl, line, press } from './support/hands.mjs';
 import { exported, idle, kDesk, kPhone, onPage, reload, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -89,6 +80,7 @@ test('shading of a drawing says that there is none, and cuts its lines; another 
     await drawWithMouse(page, line([150, 150], [250, 150]));
     await run(page, 'select-part', { part: part.id });
     await run(page, 'relief', { mode: 'ink', from: 2 });
+    await idle(page);
     ({ relief } = (await state(page)).parts[0]);
     assert.equal(relief.laid.picture, 2);
     assert.ok(Math.abs(relief.laid.at[0] - 500) < 5 && Math.abs(relief.laid.width - 220) < 30, `${relief.laid.width}`);
