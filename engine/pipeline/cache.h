@@ -81,7 +81,7 @@ class Cache {
   /// By drawingKey. Null when not (or no longer) known.
   std::shared_ptr<const DrawingShape> drawing(DrawingKey key) { return drawings_.find(key); }
   void keepDrawing(DrawingKey key, std::shared_ptr<const DrawingShape> drawing);
-  /// By unpulledKey: shapes before their pulls. Null when not (or no longer) known.
+  /// By unpulledKey: shapes before their pulls and reliefs. Null when not (or no longer) known.
   std::shared_ptr<const PartShape> unpulled(ShapeKey key) { return unpulled_.find(key); }
   void keepUnpulled(ShapeKey key, std::shared_ptr<const PartShape> shape);
   /// By reachKey. Null when not (or no longer) known.
@@ -123,8 +123,8 @@ class Cache {
   /// A step of undo has up to three rounds: its shapes, their ribs, their textures.
   static constexpr std::uint64_t kKeptRounds = 96;
   /// About 400 parts of 100 ribs; 25 previews; 60 parts of usual size with their textures besides those
-  /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces; 20 parts before their pulls, and
-  /// what 20 pulls reach; 8 reliefs, and what 8 of them raise.
+  /// shown; the marks of 4 pictures; 20 puffs with a slice; 10 drawings of 8 pieces; 20 parts before their pulls and
+  /// reliefs, and what 20 pulls reach; 8 reliefs, and what 8 of them raise.
   static constexpr std::size_t kTraceBytes = 16u << 20, kPreviewBytes = 1u << 20, kShapeBytes = 64u << 20,
                                kIgnoredBytes = 16u << 20, kInteriorBytes = 4u << 20, kDrawingBytes = 8u << 20,
                                kUnpulledBytes = 8u << 20, kReachBytes = 16u << 20, kHeightBytes = 16u << 20,

@@ -54,7 +54,7 @@ class Derivation {
   bool shapesMade() const { return !stale_ && !behind_ && searching_.empty() && !reliefs_.busy() && !solids_.busy(); }
   /// Nothing that a file is to hold is still being made.
   bool allMade() const { return shapesMade() && !textures_.busy(); }
-  /// Makes all of it, here and now: ribs and textures, not solids.
+  /// Makes all of it, here and now: reliefs and textures, not solids.
   void finishNow();
   /// Stops the solver of solids, and nobody waits for a file any more.
   void cancel();
