@@ -59,7 +59,11 @@ Status makeShape(const document::LoftRecipe& recipe, const TracedRibs& traced, i
   shape.contours.clear();
   shape.pulled.clear();
   shape.rims.clear();
+  shape.relief.reset();
+  shape.wantedHeights = {};
+  shape.wantedRaised = {};
   shape.mesh = memory.mesh;
+  shape.smooth.reset();
   shape.texture.reset();
   shape.textureKey = shape.wantedTexture = {};
   shape.outlineInk.clear();

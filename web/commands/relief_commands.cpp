@@ -1,7 +1,6 @@
 // Commands about reliefs: detail that a picture gives to the front of a part.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,8 +11,6 @@
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
 #include "web/commands/intents.h"
-#include "web/model/messages.h"
-#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {

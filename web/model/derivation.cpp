@@ -242,6 +242,8 @@ void Derivation::carryBridges(const document::Document& document, const publish:
     auto shape = std::make_shared<pipeline::PartShape>(*derived.shape);
     if (Result<pipeline::PartShape> made = pipeline::bridgeStage(*bridge, document, *from, *to)) {
       shape->mesh = std::move(made.value().mesh);
+      shape->smooth.reset();
+      shape->relief.reset();
       shape->rims = std::move(made.value().rims);
       // A failure leaves the mesh without its pulls: better than none while a hand moves.
       if (!part->pulls.empty()) {

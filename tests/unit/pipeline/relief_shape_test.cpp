@@ -179,6 +179,24 @@ TEST_CASE("under a moving hand a relief is coarser; while the part itself change
         shapeOf(withRelief(document, lower), anew)->mesh);
 }
 
+TEST_CASE("a shape that was one with a relief and becomes another part keeps nothing of it") {
+  const Document document = withRelief(drawnOn(), ink());
+  LoftRecipe recipe;
+  recipe.picture = PictureId{1};
+  for (double x = 60; x <= 240; x += 6) recipe.stroke.push_back({x, 100});
+  Cache cache;
+  PartShape shape;
+  for (int i = 0; i < 2; ++i) {
+    const Worked worked{{}, &*document.parts[0]->relief};
+    REQUIRE(liveShape(document, document.parts[0]->recipe, cache, shape, {}, worked).ok());
+  }
+  REQUIRE(shape.smooth != nullptr);
+  REQUIRE(liveShape(document, recipe, cache, shape).ok());
+  CHECK(shape.smooth == nullptr);
+  CHECK_FALSE(shape.relief.has_value());
+  CHECK(&smoothMesh(shape) == &shape.mesh);
+}
+
 TEST_CASE("a pull that is held back is not taken whole because a hand moved a relief over it") {
   // A dent through the part, and out again on the other side.
   const pull::Pull through{{{150, -100, 60}}, -300, {}, 30, false};
