@@ -36,10 +36,12 @@ Points tangentsOf(const Points& p, bool closed) {
   return tangents;
 }
 
+/// Samples from one of n points to the next.
+std::size_t stepsOf(std::size_t n, bool closed) { return std::clamp<std::size_t>(1536 / (closed ? n : n - 1), 8, 192); }
+
 /// The line densely; a closed one ends with its first point.
 Points sampled(const Points& p, bool closed) {
-  const std::size_t n = p.size(), arcs = closed ? n : n - 1;
-  const std::size_t steps = std::clamp<std::size_t>(1536 / arcs, 8, 192);
+  const std::size_t n = p.size(), arcs = closed ? n : n - 1, steps = stepsOf(n, closed);
   const Points tangents = tangentsOf(p, closed);
   Points line{p.front()};
   for (std::size_t i = 0; i < arcs; ++i) {
@@ -69,6 +71,7 @@ Result<RailLine> RailLine::of(const Rail& rail) {
   const Points line = sampled(points, rail.closed);
   RailLine out;
   out.closed_ = rail.closed;
+  out.steps_ = stepsOf(points.size(), rail.closed);
   const ModelPoint way = normalized(line[1] - line[0]);
   constexpr double kAtViewer = 1e-6;
   const ModelPoint right = std::hypot(way.x, way.y) > kAtViewer ? ModelPoint{way.y, -way.x, 0} : ModelPoint{1, 0, 0};

@@ -1,6 +1,7 @@
 // The rail of a stack as a smooth line with frames. Internal to stack/.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/base/result.h"
@@ -19,12 +20,15 @@ class RailLine {
   bool closed() const { return closed_; }
   /// At a share of the length; of a closed rail any number, whole ones at its first point, else clamped to 0…1.
   geometry::Frame at(double share) const;
+  /// Where it goes through the rail's point number `point`, of those that are no repeats: share of the length.
+  double shareOf(std::size_t point) const { return lengths_[point * steps_] / length(); }
   /// Towards the centre of the bend, 1 over its radius, 1/px.
   ModelPoint bend(double share) const;
 
  private:
   std::vector<geometry::Frame> frames_;
   std::vector<double> lengths_;  ///< from the first frame to each
+  std::size_t steps_ = 1;        ///< frames from one of the rail's points to the next
   bool closed_ = false;
 };
 

@@ -169,3 +169,39 @@ test('by keyboard alone: the tool, a circle, the sheet up, another circle', () =
     assert.equal(now.sheet.layers.length, 2);
     assert.equal(now.parts[0].failure, null);
   }));
+
+for (const [device, options] of [
+  ['mouse', { hasTouch: true }],
+  ['finger', kPhone],
+]) {
+  test(`a sheet leans by its knob, and a line across the view is what the layers follow: by ${device}`, () =>
+    onPage(kit, options, async (page) => {
+      await paper(page);
+      if (options === kPhone) await run(page, 'focus-solid');
+      await draw(page, device, circle(0, 0, 0.25));
+      await run(page, 'layer-sheet', { at: 0.7 });
+      const [knob] = await onCanvas(page, (await state(page)).sheet.leanKnobs[1]);
+      await strokeAlong(
+        page,
+        device,
+        [0, 12, 24, 36].map((by) => ({ x: knob.x, y: knob.y - by })),
+      );
+      let now = await state(page);
+      assert.ok(now.sheet.lean.side < -5, `${now.sheet.lean.side}`);
+      await draw(page, device, circle(0, 0, 0.25));
+      now = await state(page);
+      assert.deepEqual([now.sheet.layers.length, now.parts[0].failure], [2, null]);
+      const steps = now.undo;
+      await run(page, 'layer-rail', { rail: 'draw' });
+      const [middle] = await onSheet(page, [[0, 0]]);
+      const wave = Array.from({ length: 25 }, (_, i) => ({
+        x: middle.x + 4 * (i - 12),
+        y: middle.y + 30 * Math.sin(i / 4),
+      }));
+      await strokeAlong(page, device, wave);
+      now = await state(page);
+      assert.deepEqual([now.undo, now.sheet.drawsRail, now.parts[0].failure], [steps + 1, false, null]);
+      await run(page, 'undo');
+      assert.equal((await state(page)).undo, steps);
+    }));
+}

@@ -210,6 +210,14 @@ Outcome drawOnSheet(const CommandEnv& env, PartId part, double at, const std::ve
 Outcome seeSheet(const CommandEnv& env);
 /// The sheet that is seen to a place.
 Outcome moveSheet(const CommandEnv& env, double at);
+/// The sheet, with the layer on it, with this turn from how it would stand on the rail.
+Outcome leanSheet(const CommandEnv& env, const geometry::Turn& turn);
+/// The next line in the solid view is the rail of the part; pressed once more: no longer.
+Outcome drawRail(const CommandEnv& env, PartId part);
+/// The rail goes through the middles of the part's layers.
+Outcome followMiddles(const CommandEnv& env, PartId part);
+/// The rail that was drawn for the part.
+Outcome followRail(const CommandEnv& env, PartId part, const Result<stack::Rail>& rail);
 /// The part has this recipe now, of the same layers.
 Outcome remakeLayers(const CommandEnv& env, PartId part, const document::StackRecipe& recipe);
 /// The layer on the sheet that is seen to another place of the rail.

@@ -9,6 +9,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/edit/drawn_rail.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/layers.h"
@@ -21,7 +22,8 @@ namespace {
 using Env = const CommandEnv&;
 
 constexpr double kStep = 0.1, kFineStep = 0.02;  // of the rail
-constexpr double kFlat = 0.5;                    // sine of the angle from which a sheet is seen well enough to draw
+constexpr const char* kNoRail = "its layers stand on no rail: place each by itself";
+constexpr double kFlat = 0.5;  // sine of the angle from which a sheet is seen well enough to draw
 
 std::optional<Sheet> sheetOf(Env env) { return shownSheet(env.studio.document(), env.ui); }
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
@@ -39,9 +41,14 @@ const document::StackRecipe* layersOf(const document::Part* part) {
 }
 const document::Part* chosen(Env env) { return document::findPart(env.studio.document(), env.ui.selection); }
 bool hasLayers(Env env) { return layersOf(chosen(env)) != nullptr; }
-bool hasRail(Env env) { return hasLayers(env) && !layersOf(chosen(env))->rail.points.empty(); }
 bool canRepeat(Env env) { return hasLayers(env) && repeatsOf(*layersOf(chosen(env))); }
 bool hasWalls(Env env) { return hasLayers(env) && wallOf(*layersOf(chosen(env))); }
+bool onRail(Env env) {
+  const auto sheet = sheetOf(env);
+  return sheet && sheet->onRail();
+}
+bool railIsDrawn(Env env) { return drawsRail(env.studio.document(), env.ui); }
+bool hasOpenLines(Env env) { return hasLayers(env) && openLinesOf(*layersOf(chosen(env))); }
 bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
 
 /// All of the bounds, within what no bar covers of the view.
@@ -113,6 +120,31 @@ std::vector<document::Action> actionsTo(const document::Part& part, const docume
   return actions;
 }
 
+/// The camera moves where the sheet is seen too flat to draw on, or where it, or with `whole` its part as well, is not
+/// within what no bar covers of the view.
+void bringInSight(Env env, const Sheet& sheet, bool whole) {
+  const double lean = std::abs(dot(normalOf(env, sheet), env.ui.camera.back()));
+  const Rect& view = env.ui.layout.solid;
+  const Rect& room = env.ui.solidRoom.width > 0 ? env.ui.solidRoom : view;
+  const auto isSeen = [&](WorldPoint p) {
+    const auto at = pointOnCanvas(env.ui.camera, view, p);
+    return at && room.contains(*at);
+  };
+  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, sheet);
+  const auto bounds = boundsWith(env, sheet, true);
+  bool seen = std::ranges::all_of(cornersOf(sheet), [&](ModelPoint p) { return isSeen(toWorld(p)); });
+  for (int i = 0; i < 8 && whole && seen; ++i) {
+    seen = isSeen({(i & 1) != 0 ? bounds->high.x : bounds->low.x, (i & 2) != 0 ? bounds->high.y : bounds->low.y,
+                   (i & 4) != 0 ? bounds->high.z : bounds->low.z});
+  }
+  if (seen && lean >= kFlat) return;
+  Camera to = env.ui.camera;
+  constexpr double kHigh = 0.75;  // radians
+  if (lean < kFlat) to.pitch = kHigh;
+  env.ui.cameraTouched = true;
+  fly(env, framedInRoom(env, to, *bounds));
+}
+
 /// The part has this recipe now; without a part a new one. The sheet lies on the layer at `at`.
 Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double at) {
   if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
@@ -127,10 +159,18 @@ Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double a
     const Standing standing = standingActions(env, draw, recipe, false);
     if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
     takeMade(env, standing);
-    env.ui.framePending = false;  // the sheet stays as it is seen
+    env.ui.framePending = false;  // the sheet stays as it is seen, where there is room
   }
-  env.ui.layers = {env.ui.selection, at};
+  env.ui.layers = {env.ui.selection, at, env.ui.layers.turn};
+  if (const auto sheet = sheetOf(env); sheet && !part) bringInSight(env, *sheet, true);
   return {};
+}
+
+/// The sheet of a part there; one that is seen leans as it is seen.
+std::optional<Sheet> sheetAt(Env env, PartId part, std::optional<double> at) {
+  const auto shown = sheetOf(env);
+  const geometry::Turn turn = shown && shown->part == part ? shown->turn : geometry::Turn{};
+  return sheetFor(env.studio.document(), part, env.ui.picture, at, turn);
 }
 
 Outcome noSheet() { return refuse({Error::NotAStack, {}}); }
@@ -192,7 +232,7 @@ Outcome drawRow(Env env, const Json& args) {
   const PartId id = part ? part->id : shown ? shown->part : PartId{};
   std::optional<double> at = args.number("at");
   if (!at && shown && shown->part == id) at = shown->at;
-  const auto sheet = sheetFor(env.studio.document(), id, env.ui.picture, at);
+  const auto sheet = sheetAt(env, id, at);
   if (!sheet) return noSheet();
   if (const auto through = pointsFrom(args.find("through"))) {
     const stack::Curve curve{*through, {args.flag("corners").value_or(false), {}}};
@@ -215,13 +255,35 @@ Outcome setLayers(Env env, const Json& args, const Change& change) {
 }
 using Changed = Result<document::StackRecipe>;
 
+/// `points`: [x, y, z] in picture pixels from the picture's corner, y up, z to the viewer.
+Outcome railThrough(Env env, const Json& args, const Json& points) {
+  stack::Rail rail{{}, args.flag("closed").value_or(false)};
+  const Json::Array* list = points.array();
+  for (const Json& point : list ? *list : Json::Array()) {
+    const Json::Array* p = point.array();
+    if (p == nullptr || p->size() != 3 || !(*p)[0].number() || !(*p)[1].number() || !(*p)[2].number()) {
+      return missing("points: a list of [x, y, z] in picture pixels");
+    }
+    rail.points.push_back({*(*p)[0].number(), *(*p)[1].number(), *(*p)[2].number()});
+  }
+  if (rail.points.size() < 2) return missing("points: two or more [x, y, z] in picture pixels");
+  if (!stack::isValid(rail)) return refuse({Error::ValueOutOfRange, "points"});
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed { return withRail(layers, rail); });
+}
+
 Outcome railRow(Env env, const Json& args) {
+  if (const Json* points = args.find("points")) return railThrough(env, args, *points);
   const std::string* key = args.text("rail");
-  if (key == nullptr) return missing("a rail: \"up\", \"across\", \"ring\" or \"spring\"");
+  if (key == nullptr)
+    return missing("a rail: \"up\", \"across\", \"deep\", \"ring\", \"spring\", \"middles\" or \"draw\"");
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return noPart();
+  if (*key == "draw") return drawRail(env, part->id);
+  if (*key == "middles") return followMiddles(env, part->id);
   const auto name = std::ranges::find(kRailShapes, *key, &RailShapeName::key);
   if (name == kRailShapes.end()) return refuse({Error::ValueOutOfRange, *key});
   return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (layers.rail.points.empty()) return {Error::StackInvalid, "its layers stand on no rail: place each by itself"};
+    if (layers.rail.points.empty()) return {Error::StackInvalid, kNoRail};
     return withRail(layers, name->shape);
   });
 }
@@ -257,6 +319,32 @@ Outcome bumpsRow(Env env, const Json& args) {
     rough.seed = static_cast<std::uint32_t>(seed);
     return withBumps(layers, rough);
   });
+}
+
+Outcome openLinesRow(Env env, const Json& args) {
+  const std::string* key = args.text("as");
+  if (key == nullptr) return missing("what open lines become: \"wall\" or \"ground\"");
+  if (*key != "wall" && *key != "ground") return refuse({Error::ValueOutOfRange, *key});
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    if (!openLinesOf(layers))
+      return {Error::StackInvalid, "no line of its layers is open: draw one that does not close"};
+    const auto sheet = sheetFor(env.studio.document(), partOf(env, args)->id, {}, std::nullopt);
+    return withOpenLines(layers, *key == "wall" ? stack::CurveUse::Ribbon : stack::CurveUse::Ground,
+                         sheet ? newWallOf(*sheet) : 1);
+  });
+}
+
+Outcome leanRow(Env env, const Json& args) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  if (!sheet->onRail()) return refuse({Error::StackInvalid, kNoRail});
+  Lean lean = leanOf(*sheet);
+  lean.front = args.number("front").value_or(lean.front);
+  lean.side = args.number("side").value_or(lean.side);
+  if (!(std::abs(lean.front) <= kMostLean && std::abs(lean.side) <= kMostLean)) {
+    return refuse({Error::ValueOutOfRange, "lean"});
+  }
+  return leanSheet(env, turnFor(*sheet, lean));
 }
 
 Outcome wallRow(Env env, const Json& args) {
@@ -298,11 +386,11 @@ Outcome forkRow(Env env, const Json& args) {
   return remakeLayers(env, sheet->part, recipe);
 }
 
-constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"};
+constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"}, kFront{"front"}, kAs{"as"};
 constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"};
-constexpr Condition kHasLayers{hasLayers, Condition::Part}, kHasRail{hasRail, Condition::Part},
-    kCanRepeat{canRepeat, Condition::Part}, kHasWalls{hasWalls, Condition::Part};
-constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy};
+constexpr Condition kHasLayers{hasLayers, Condition::Part}, kCanRepeat{canRepeat, Condition::Part},
+    kHasWalls{hasWalls, Condition::Part}, kHasOpenLines{hasOpenLines, Condition::Part};
+constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy}, kOnRail{onRail};
 
 // clang-format off
 constexpr std::array kTable = {
@@ -330,8 +418,13 @@ constexpr std::array kTable = {
     Command{.id = "layer-move", .label = "Move layer by numbers", .icon = "move", .group = "part", .argument = kTo,
             .hint = "Another place for the layer on the sheet", .enabled = kOnLayer, .run = moveRow},
     Command{.id = "layer-rail", .label = "Line of the layers", .icon = "spline", .group = "part", .argument = kRail,
-            .hint = "Layers stand up, side by side, round a ring or along a spring", .enabled = kHasRail,
-            .run = railRow},
+            .hint = "Layers stand up, side by side, round a ring, along a spring or a line of your own",
+            .enabled = kHasLayers, .run = railRow},
+    Command{.id = "layer-lean", .label = "Lean the sheet", .icon = "move", .group = "part", .argument = kFront,
+            .hint = "How far the sheet leans to the front and to the side, in degrees", .enabled = kOnRail,
+            .run = leanRow},
+    Command{.id = "layer-open-lines", .label = "Open lines", .icon = "spline", .group = "part", .argument = kAs,
+            .hint = "Lines that stay open become walls or ground", .enabled = kHasOpenLines, .run = openLinesRow},
     Command{.id = "layer-repeat", .label = "Repeat layers", .icon = "copy", .group = "part", .argument = kTimes,
             .hint = "All layers once more, and once more", .enabled = kCanRepeat, .run = repeatRow},
     Command{.id = "layer-blend", .label = "From layer to layer", .icon = "spline", .group = "part", .argument = kBlend,
@@ -352,7 +445,7 @@ constexpr std::array kTable = {
 }  // namespace
 
 Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
-  const auto sheet = sheetFor(env.studio.document(), intent.part, env.ui.picture, intent.at);
+  const auto sheet = sheetAt(env, intent.part, intent.at);
   if (!sheet) return noSheet();
   const document::StackRecipe recipe = withCurves(*sheet, intent.curves);
   Outcome kept = keep(env, intent.part, recipe, sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
@@ -363,7 +456,7 @@ Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
 }
 
 Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPoint>& line) {
-  const auto sheet = sheetFor(env.studio.document(), part, env.ui.picture, at);
+  const auto sheet = sheetAt(env, part, at);
   if (!sheet) return noSheet();
   auto curves = curvesOf(*sheet, line);
   if (!curves) return refuse(curves.failure());
@@ -383,30 +476,57 @@ Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {
 Outcome seeSheet(Env env) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
-  env.ui.layers.part = sheet->part;
-  env.ui.layers.at = sheet->at;
-  const double lean = std::abs(dot(normalOf(env, *sheet), env.ui.camera.back()));
-  const Rect& view = env.ui.layout.solid;
-  const Rect& room = env.ui.solidRoom.width > 0 ? env.ui.solidRoom : view;
-  const pipeline::ToWorld toWorld = sheetInWorld(env.studio.document(), env.studio.derived(), env.ui, *sheet);
-  const bool seen = std::ranges::all_of(cornersOf(*sheet), [&](ModelPoint p) {
-    const auto at = pointOnCanvas(env.ui.camera, view, toWorld(p));
-    return at && room.contains(*at);
-  });
-  if (seen && lean >= kFlat) return {};
-  Camera to = env.ui.camera;
-  constexpr double kHigh = 0.75;  // radians
-  if (lean < kFlat) to.pitch = kHigh;
-  env.ui.cameraTouched = true;
-  fly(env, framedInRoom(env, to, *boundsWith(env, *sheet, true)));
+  placeSheet(env.ui, *sheet, sheet->at);
+  bringInSight(env, *sheet, false);
   return {};
 }
 
 Outcome moveSheet(Env env, double at) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
-  env.ui.layers = {sheet->part, std::clamp(at, 0.0, mostAt(*sheet))};
+  placeSheet(env.ui, *sheet, at);
   return {};
+}
+
+Outcome leanSheet(Env env, const geometry::Turn& turn) {
+  const auto sheet = sheetOf(env);
+  if (!sheet) return noSheet();
+  env.ui.layers.turn = turn;
+  return sheet->layer ? keep(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
+}
+
+Outcome drawRail(Env env, PartId id) {
+  const document::StackRecipe* layers = layersOf(document::findPart(env.studio.document(), id));
+  if (layers == nullptr) return refuse({Error::NotAStack, {}});
+  if (layers->rail.points.empty()) return refuse({Error::StackInvalid, kNoRail});
+  if (railIsDrawn(env) && env.ui.layers.part == id) {
+    env.ui.layers.drawsRail = false;
+    return {};
+  }
+  const auto shown = sheetOf(env);
+  const auto at = shown && shown->part == id ? std::optional(shown->at) : std::nullopt;
+  env.ui.selection = id;
+  env.ui.tool = ToolKind::Layers;
+  env.ui.focus = Focus::Solid;
+  const auto sheet = sheetAt(env, id, at);
+  if (!sheet) return noSheet();
+  placeSheet(env.ui, *sheet, sheet->at);
+  env.ui.layers.drawsRail = true;
+  sendStatus(env.host, "Draw the line that the layers follow. Over another part it lies on its surface.");
+  return {};
+}
+
+Outcome followMiddles(Env env, PartId part) {
+  const document::StackRecipe* layers = layersOf(document::findPart(env.studio.document(), part));
+  if (layers == nullptr) return refuse({Error::NotAStack, {}});
+  const Result<document::StackRecipe> changed = withRailThroughMiddles(*layers);
+  return changed ? remakeLayers(env, part, changed.value()) : refuse(changed.failure());
+}
+
+Outcome followRail(Env env, PartId part, const Result<stack::Rail>& rail) {
+  const document::StackRecipe* layers = layersOf(document::findPart(env.studio.document(), part));
+  if (layers == nullptr) return refuse({Error::NotAStack, {}});
+  return rail ? remakeLayers(env, part, withRail(*layers, rail.value())) : refuse(rail.failure());
 }
 
 Outcome moveLayer(Env env, double at) {
@@ -419,5 +539,6 @@ Outcome moveLayer(Env env, double at) {
 std::span<const Command> layerCommands() { return kTable; }
 
 constinit const Mode kLayerMode{"layers", sheetIsShown};
+constinit const Mode kRailMode{"rail", railIsDrawn, [](Env env) { env.ui.layers.drawsRail = false; }};
 
 }  // namespace spineloft::app

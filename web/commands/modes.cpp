@@ -36,7 +36,7 @@ constexpr Mode
 
 constexpr std::array kModes = {
     &kGesture, &kMenu, &kBoardMode, &kCutMode, &kPlaceSection, &kPointOpening, &kHollowMode, &kPreview, &kRedraw, &kWork,
-    &kOutlinePointMode, &kBoneMode, &kShapePointMode, &kPullMode, &kRibMode, &kPointMode, &kChosen, &kBonesMode, &kShapeMode, &kCrossingMode, &kLinesMode, &kOutlineMode, &kPullToolMode, &kBridgeToolMode, &kLayerMode, &kPartsMode, &kTool, &kModel};
+    &kOutlinePointMode, &kBoneMode, &kShapePointMode, &kPullMode, &kRibMode, &kPointMode, &kChosen, &kBonesMode, &kShapeMode, &kCrossingMode, &kLinesMode, &kOutlineMode, &kPullToolMode, &kBridgeToolMode, &kRailMode, &kLayerMode, &kPartsMode, &kTool, &kModel};
 // clang-format on
 
 }  // namespace

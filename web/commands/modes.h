@@ -45,6 +45,7 @@ extern const Mode kLinesMode;         ///< its tool is in hand: the same
 extern const Mode kPullMode;          ///< a pull is chosen: pull_commands.cpp
 extern const Mode kPullToolMode;      ///< its tool is in hand: the same
 extern const Mode kBridgeToolMode;    ///< the tool for bridges between parts is in hand: bridge_commands.cpp
+extern const Mode kRailMode;          ///< the next line is the rail of layers: layer_commands.cpp
 extern const Mode kLayerMode;         ///< the sheet for layers is shown: layer_commands.cpp
 extern const Mode kPartsMode;         ///< parts are in hand for the tool that moves them: place_commands.cpp
 

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <optional>
 
+#include "web/edit/drawn_rail.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layers.h"
 
@@ -45,6 +46,13 @@ void writeSheet(JsonWriter& json, const CommandEnv& env) {
   for (const ModelPoint corner : cornersOf(*sheet)) writePlace(json, onCanvas(corner));
   json.endArray().key("knob");
   writePlace(json, sheet->onRail() ? onCanvas(knobOf(*sheet)) : std::nullopt);
+  const Lean lean = leanOf(*sheet);
+  json.key("lean").beginObject().key("front").number(lean.front).key("side").number(lean.side).endObject();
+  json.key("leanKnobs").beginArray();
+  for (const auto way : kLeans) {
+    if (sheet->onRail()) writePlace(json, onCanvas(leanKnobOf(*sheet, way)));
+  }
+  json.endArray().key("drawsRail").flag(drawsRail(env.studio.document(), env.ui));
   const LayerJoints joints = jointsOf(env.studio.document(), env.studio.derived(), env.ui, *sheet);
   json.key("links").beginArray();
   for (const LayerLink& link : joints.links) {

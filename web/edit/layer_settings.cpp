@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "engine/stack/centre_rail.h"
 #include "engine/stack/run.h"
 
 namespace spineloft::app {
@@ -14,6 +16,7 @@ using document::StackRecipe;
 constexpr int kRingPoints = 12, kSpringRounds = 3;
 constexpr double kLeastBend = 1.6, kPitch = 2.6;  // radius of a bend and way from round to round, times the farthest
                                                   // that a curve is from the rail
+constexpr double kLeastGround = 0.15;             // below the lowest line, times the same
 
 struct Box {
   ModelPoint low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
@@ -49,12 +52,23 @@ std::optional<RailShape> railShapeOf(const stack::Rail& rail) {
   if (count != 2) return std::nullopt;
   const ModelPoint way = rail.points[1] - rail.points[0];
   if (way.x == 0 && way.z == 0) return RailShape::Up;
-  return way.y == 0 && way.z == 0 ? std::optional(RailShape::Across) : std::nullopt;
+  if (way.y == 0 && way.z == 0) return RailShape::Across;
+  return way.x == 0 && way.y == 0 ? std::optional(RailShape::Deep) : std::nullopt;
+}
+
+StackRecipe withRail(const StackRecipe& recipe, const stack::Rail& rail) {
+  StackRecipe out = recipe;
+  out.rail = rail;
+  if (!rail.closed && !out.planes.empty()) out.planes.back().links.clear();  // nothing follows it
+  if (stack::canRepeat(out.planes, out.rail, out.stack.patterns)) {
+    const std::uint32_t times = stack::timesOf(out.planes, out.stack.patterns);
+    stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);
+  }
+  return out;
 }
 
 StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
-  StackRecipe out = recipe;
-  if (recipe.rail.points.empty()) return out;
+  if (recipe.rail.points.empty()) return recipe;
   const Box box = boxOf(recipe.rail);
   const ModelPoint middle = box.middle();
   const double half = box.side() / 2, bend = kLeastBend * reachOf(recipe);
@@ -69,6 +83,10 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
     case RailShape::Across:
       add(-half, 0, 0);
       add(half, 0, 0);
+      break;
+    case RailShape::Deep:
+      add(0, 0, -half);
+      add(0, 0, half);
       break;
     case RailShape::Ring: {
       const double radius = std::max(half, bend);
@@ -85,12 +103,18 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
       break;
     }
   }
-  out.rail = rail;
-  if (!rail.closed && !out.planes.empty()) out.planes.back().links.clear();  // nothing follows it
-  if (stack::canRepeat(out.planes, out.rail, out.stack.patterns)) {
-    const std::uint32_t times = stack::timesOf(out.planes, out.stack.patterns);
-    stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);
+  return withRail(recipe, rail);
+}
+
+Result<StackRecipe> withRailThroughMiddles(const StackRecipe& recipe) {
+  if (!recipe.stack.patterns.empty()) {
+    return {Error::StackInvalid, "its layers are repeated along their line: set Times to 1 first"};
   }
+  auto on = stack::ontoCentres(recipe.planes, recipe.rail);
+  if (!on) return on.failure();
+  StackRecipe out = recipe;
+  out.planes = std::move(on.value().planes);
+  out.rail = std::move(on.value().rail);
   return out;
 }
 
@@ -121,6 +145,40 @@ StackRecipe withBlend(const StackRecipe& recipe, sections::BlendKind blend) {
 StackRecipe withBumps(const StackRecipe& recipe, const stack::Rough& rough) {
   StackRecipe out = recipe;
   out.stack.rough = rough;
+  return out;
+}
+
+std::optional<stack::CurveUse> openLinesOf(const StackRecipe& recipe) {
+  for (const stack::Plane& plane : recipe.planes) {
+    const auto open = std::ranges::find(plane.curves, true, &stack::Curve::open);
+    if (open != plane.curves.end()) return open->as;
+  }
+  return std::nullopt;
+}
+
+StackRecipe withOpenLines(const StackRecipe& recipe, stack::CurveUse use, double wall) {
+  StackRecipe out = recipe;
+  double low = 1e300, high = -1e300, base = 1e300;
+  const auto each = [&](const auto& visit) {
+    for (stack::Plane& plane : out.planes) {
+      for (stack::Curve& curve : plane.curves) {
+        if (curve.open) visit(curve);
+      }
+    }
+  };
+  each([&](const stack::Curve& curve) {
+    if (curve.as == stack::CurveUse::Ground) base = std::min(base, curve.base);
+    for (const SectionPoint p : curve.through) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+  });
+  if (base >= low) base = low - std::max(kLeastGround * reachOf(recipe), high - low);
+  each([&](stack::Curve& curve) {
+    if (use == stack::CurveUse::Ground) curve.base = base;
+    if (use == stack::CurveUse::Ribbon && curve.as != use) curve.width = wall;
+    curve.as = use;
+  });
   return out;
 }
 

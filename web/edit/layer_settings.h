@@ -11,20 +11,27 @@
 
 namespace spineloft::app {
 
-/// Ready rails: straight up, straight across, round and closed, and a spring of three rounds about an upright axis.
-enum class RailShape : std::uint8_t { Up, Across, Ring, Spring };
+/// Ready rails: straight up, straight across, straight to the viewer, round and closed, and a spring of three rounds
+/// about an upright axis.
+enum class RailShape : std::uint8_t { Up, Across, Deep, Ring, Spring };
 struct RailShapeName {
   RailShape shape;
   std::string_view key, label;
 };
 inline constexpr std::array kRailShapes = {
     RailShapeName{RailShape::Up, "up", "Up"}, RailShapeName{RailShape::Across, "across", "Across"},
-    RailShapeName{RailShape::Ring, "ring", "Ring"}, RailShapeName{RailShape::Spring, "spring", "Spring"}};
+    RailShapeName{RailShape::Deep, "deep", "To you"}, RailShapeName{RailShape::Ring, "ring", "Ring"},
+    RailShapeName{RailShape::Spring, "spring", "Spring"}};
 /// Which of them a rail is; none for another one.
 std::optional<RailShape> railShapeOf(const stack::Rail& rail);
 /// The layers on a ready rail about the middle of their own, as far apart as there is room; straight ones are as long
 /// as the largest side of what they replace.
 document::StackRecipe withRail(const document::StackRecipe& recipe, RailShape shape);
+/// The layers at the same shares of another rail, with as many repeats.
+document::StackRecipe withRail(const document::StackRecipe& recipe, const stack::Rail& rail);
+/// On the rail through the middles of the layers, which stay where they are. Errors: those of stack::ontoCentres;
+/// StackInvalid where layers are repeated.
+Result<document::StackRecipe> withRailThroughMiddles(const document::StackRecipe& recipe);
 
 inline constexpr int kMostRepeats = 20;  ///< on the page
 /// How often all layers stand along the rail; none where they cannot be repeated (stack/run.h).
@@ -37,6 +44,12 @@ std::optional<sections::BlendKind> blendOf(const document::StackRecipe& recipe);
 document::StackRecipe withBlend(const document::StackRecipe& recipe, sections::BlendKind blend);
 
 document::StackRecipe withBumps(const document::StackRecipe& recipe, const stack::Rough& rough);
+
+/// What becomes of lines that stay open; none without one.
+std::optional<stack::CurveUse> openLinesOf(const document::StackRecipe& recipe);
+/// All of them become walls (those that were none `wall` picture pixels wide) or ground, filled down to one line: that
+/// of the ground that there is, or, where a line goes below it, one below the lowest of them.
+document::StackRecipe withOpenLines(const document::StackRecipe& recipe, stack::CurveUse use, double wall);
 
 /// Width of the first wall, picture pixels; none without one.
 std::optional<double> wallOf(const document::StackRecipe& recipe);

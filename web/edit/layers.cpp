@@ -27,6 +27,7 @@ constexpr double kSame = 0.006;                      // of the rail: a sheet so 
 constexpr double kApart = 0.01;                      // of the rail: no layer is moved nearer to another
 constexpr double kOpenGap = 0.5;                     // of a line's length between its ends: it is not meant to close
 constexpr double kNewWall = 0.12;                    // width of a wall, of the sheet's half side
+constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// Upright in the middle of the picture.
 stack::Rail railOn(image::Size picture) {
@@ -53,6 +54,7 @@ double reachOf(const stack::Plane& plane) {
 bool stand(Sheet& sheet) {
   const std::vector<stack::Plane>& planes = sheet.recipe.planes;
   stack::Plane plane;
+  plane.turn = sheet.turn;
   if (sheet.onRail()) {
     sheet.at = std::clamp(sheet.at, 0.0, mostAt(sheet));
     plane.at = std::min(sheet.at, 1.0);
@@ -65,6 +67,7 @@ bool stand(Sheet& sheet) {
     sheet.at = static_cast<double>(*sheet.layer);
   }
   if (sheet.layer) plane = planes[*sheet.layer];
+  sheet.turn = plane.turn;
   const Result<stack::Stand> stood = stack::standOf(plane, sheet.recipe.rail);
   if (!stood) return false;
   sheet.stand = stood.value();
@@ -126,7 +129,15 @@ Round roundOn(const Sheet& sheet) {
   return round;
 }
 
+/// Open lines that were drawn become what those of the part are.
+StackRecipe asOpenLines(const Sheet& sheet, const StackRecipe& recipe) {
+  if (openLinesOf(sheet.recipe) != stack::CurveUse::Ground) return recipe;
+  return withOpenLines(recipe, stack::CurveUse::Ground, 0);
+}
+
 }  // namespace
+
+double newWallOf(const Sheet& sheet) { return wallOf(sheet.recipe).value_or(kNewWall * sheet.half); }
 
 double mostAt(const Sheet& sheet) {
   if (!sheet.onRail()) return sheet.recipe.planes.empty() ? 0 : static_cast<double>(sheet.recipe.planes.size() - 1);
@@ -137,7 +148,7 @@ double mostAt(const Sheet& sheet) {
 }
 
 std::optional<Sheet> sheetFor(const document::Document& document, PartId id, PictureId picture,
-                              std::optional<double> at) {
+                              std::optional<double> at, const geometry::Turn& turn) {
   const document::Part* part = document::findPart(document, id);
   if (id && (part == nullptr || document::stackOf(*part) == nullptr)) return std::nullopt;
   const document::PictureEntry* entry = document::findPicture(document, part ? document::pictureOf(*part) : picture);
@@ -152,6 +163,7 @@ std::optional<Sheet> sheetFor(const document::Document& document, PartId id, Pic
     if (!sheet.recipe.planes.empty()) sheet.at = sheet.onRail() ? sheet.recipe.planes.back().at : mostAt(sheet);
   }
   if (at) sheet.at = *at;
+  sheet.turn = turn;
   if (!stand(sheet)) return std::nullopt;
   sheet.half = kNewHalf * std::min(entry->size.width, entry->size.height);
   for (std::size_t i = 0; i < sheet.recipe.planes.size(); ++i) {
@@ -169,7 +181,14 @@ std::optional<Sheet> shownSheet(const document::Document& document, const UiStat
   if (ours && !part->visible) return std::nullopt;
   const PartId id = ours ? part->id : PartId{};
   const bool placed = ui.layers.part == id && ui.layers.at;
-  return sheetFor(document, id, ui.picture, placed ? ui.layers.at : std::nullopt);
+  return placed ? sheetFor(document, id, ui.picture, ui.layers.at, ui.layers.turn)
+                : sheetFor(document, id, ui.picture, std::nullopt);
+}
+
+void placeSheet(UiState& ui, const Sheet& sheet, double at) {
+  ui.layers.part = sheet.part;
+  ui.layers.at = std::clamp(at, 0.0, mostAt(sheet));
+  ui.layers.turn = sheet.turn;
 }
 
 pipeline::ToWorld sheetInWorld(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
@@ -204,6 +223,28 @@ std::vector<ModelPoint> cornersOf(const Sheet& sheet) {
 
 ModelPoint knobOf(const Sheet& sheet) { return sheet.stand.at({kKnob * sheet.half, 0}); }
 
+ModelPoint leanKnobOf(const Sheet& sheet, double Lean::* way) {
+  const double out = kKnob * sheet.half;
+  return sheet.stand.at(way == &Lean::front ? SectionPoint{0, out} : SectionPoint{-out, 0});
+}
+
+// The sheet's normal points back along the rail.
+Lean leanOf(const Sheet& sheet) {
+  const geometry::Angles angles = geometry::anglesOf(sheet.turn);
+  return {-angles.tip / kDegree, angles.turn / kDegree};
+}
+
+geometry::Turn turnFor(const Sheet& sheet, const Lean& lean) {
+  const auto radians = [](double degrees) { return std::clamp(degrees, -kMostLean, kMostLean) * kDegree; };
+  return geometry::turnOf({-radians(lean.front), radians(lean.side), geometry::anglesOf(sheet.turn).roll});
+}
+
+StackRecipe withTurn(const Sheet& sheet, const geometry::Turn& turn) {
+  StackRecipe recipe = sheet.recipe;
+  if (sheet.layer) recipe.planes[*sheet.layer].turn = turn;
+  return recipe;
+}
+
 Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line) {
   Points small;
   for (const SectionPoint p : line) small.push_back(p / sheet.half);
@@ -228,7 +269,7 @@ Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const S
     if (open) {
       curve.open = true;
       curve.as = stack::CurveUse::Ribbon;
-      curve.width = wallOf(sheet.recipe).value_or(kNewWall * sheet.half);
+      curve.width = newWallOf(sheet);
     }
     curves.push_back(std::move(curve));
   }
@@ -273,13 +314,14 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
   } else {
     stack::Plane plane;
     plane.at = at;
+    plane.turn = sheet.turn;
     const auto place = std::ranges::upper_bound(recipe.planes, at, {}, &stack::Plane::at);
     own = static_cast<std::size_t>(place - recipe.planes.begin());
     recipe.planes.insert(place, plane);
     countIn(recipe, own);
     recipe.planes[own].curves = curves;  // it follows the one before from now on
     dropLinksTo(recipe, own);
-    return recipe;
+    return asOpenLines(sheet, recipe);
   }
   std::vector<Points> outlines;
   for (const stack::Curve& curve : curves) outlines.push_back(stack::outlineOf(curve));
@@ -290,7 +332,7 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
     if (std::ranges::any_of(outlines, meets)) dropCurve(recipe, own, i);
   }
   for (stack::Curve& curve : curves) kept.push_back(std::move(curve));
-  return recipe;
+  return asOpenLines(sheet, recipe);
 }
 
 StackRecipe withMovedLayer(const Sheet& sheet, double to) {

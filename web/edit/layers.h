@@ -2,6 +2,7 @@
 // commands act through the same functions.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -20,17 +21,20 @@ struct Sheet {
   document::StackRecipe recipe;      ///< of the part; of the next one its rail alone
   double at = 0;                     ///< share of the rail; without a rail the number of a layer
   std::optional<std::size_t> layer;  ///< the one that it lies on
+  geometry::Turn turn;               ///< from how it would stand on the rail
   stack::Stand stand;
   double half = 0;  ///< of its side, picture pixels
 
   bool onRail() const { return !recipe.rail.points.empty(); }
 };
 /// A sheet at a place of the part, or, without one, of a next part on the picture; without a place at the last layer.
-/// None for a part that is not made of layers, and without a picture.
+/// `turn` is for a sheet that lies on no layer. None for a part that is not made of layers, and without a picture.
 std::optional<Sheet> sheetFor(const document::Document& document, PartId part, PictureId picture,
-                              std::optional<double> at);
+                              std::optional<double> at, const geometry::Turn& turn = {});
 /// The one that is seen: none without the tool, or for a part that is hidden.
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
+/// Takes it to another place, leaning as it does.
+void placeSheet(UiState& ui, const Sheet& sheet, double at);
 /// The farthest place: straight rails of new layers grow with the sheet to kMostGrowth times their length; where layers
 /// are repeated, the end of their first run.
 double mostAt(const Sheet& sheet);
@@ -50,12 +54,27 @@ std::vector<ModelPoint> cornersOf(const Sheet& sheet);
 /// The knob beside its edge that takes it along the rail.
 ModelPoint knobOf(const Sheet& sheet);
 
+/// How far a sheet on the rail leans, degrees: how far its edges to the viewer and to the right are ahead.
+struct Lean {
+  double front = 0, side = 0;  ///< -kMostLean…kMostLean
+  bool operator==(const Lean&) const = default;
+};
+inline constexpr double kMostLean = 80;
+Lean leanOf(const Sheet& sheet);
+/// The turn of the sheet when it leans so.
+geometry::Turn turnFor(const Sheet& sheet, const Lean& lean);
+/// Both ways to lean, and the knob beside an edge for each: that to the viewer, and the left one.
+inline constexpr std::array kLeans{&Lean::front, &Lean::side};
+ModelPoint leanKnobOf(const Sheet& sheet, double Lean::* way);
+
 /// A freehand line on the sheet as curves: closed, or, where its ends are farther apart than half its length, the
 /// middle of a wall as wide as the part's others. Errors: those of sections::drawFreehand and drawOpenLine.
 Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const SectionPoint> line);
 /// A circle or square as large and where the curves of the nearest layer are, else in the middle.
 stack::Curve circleOn(const Sheet& sheet);
 stack::Curve squareOn(const Sheet& sheet);
+/// How wide its next wall is, picture pixels.
+double newWallOf(const Sheet& sheet);
 /// The layer whose curves lie pale on the sheet and are copied to it: the one before it, else the one after; none of
 /// the sheet's own.
 const stack::Plane* traceOf(const Sheet& sheet);
@@ -67,6 +86,8 @@ document::StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> c
 /// The layer on the sheet elsewhere on the rail: between its neighbours, or, the last one, farther out. Nothing without
 /// one.
 document::StackRecipe withMovedLayer(const Sheet& sheet, double to);
+/// The layer on the sheet with this turn.
+document::StackRecipe withTurn(const Sheet& sheet, const geometry::Turn& turn);
 /// How a new part of layers looks: no picture shows it.
 document::Look layerLook(const UiState& ui);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "web/commands/intents.h"
+#include "web/edit/drawn_rail.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/placing.h"
@@ -39,13 +40,60 @@ class Settings {
   }
 
   void way() {
-    if (layers_.rail.points.empty()) return;
     label(env_.fonts.small, kMuted, "Line of the layers");
     WordButtons buttons(env_, width_);
     const auto now = app::railShapeOf(layers_.rail);
+    const bool hasRail = !layers_.rail.points.empty(), drawn = app::drawsRail(env_.document(), env_.ui());
     for (const app::RailShapeName& name : app::kRailShapes) {
-      const bool on = now == name.shape;
-      if (buttons.button(name.label.data(), name.label, on) && !on) keep(app::withRail(layers_, name.shape));
+      const bool on = now == name.shape && !drawn;
+      if (hasRail && buttons.button(name.label.data(), name.label, on) && !on) {
+        keep(app::withRail(layers_, name.shape));
+      }
+    }
+    if (layers_.planes.size() > 1 && buttons.button("middles", "Through the middles", false)) {
+      env_.sink.run(app::followMiddles, part_.id);
+    }
+    if (hasRail && buttons.button("draw-rail", "Draw it", drawn)) env_.sink.run(app::drawRail, part_.id);
+  }
+
+  /// What becomes of lines that stay open.
+  void openLines() {
+    using stack::CurveUse;
+    const auto now = app::openLinesOf(layers_);
+    const auto sheet = now ? app::sheetFor(env_.document(), part_.id, {}, std::nullopt) : std::nullopt;
+    if (!sheet) return;
+    label(env_.fonts.small, kMuted, "Open lines");
+    WordButtons buttons(env_, width_);
+    for (const auto& [use, text] : {std::pair{CurveUse::Ribbon, "Walls"}, {CurveUse::Ground, "Ground"}}) {
+      if (buttons.button(text, text, now == use) && now != use) {
+        keep(app::withOpenLines(layers_, use, app::newWallOf(*sheet)));
+      }
+    }
+  }
+
+  /// Of the sheet that is seen: as its knobs do it.
+  void leaning() {
+    const auto sheet = app::shownSheet(env_.document(), env_.ui());
+    if (!sheet || sheet->part != part_.id || !sheet->onRail()) return;
+    const app::Lean lean = app::leanOf(*sheet);
+    for (const auto& [way, words] :
+         {std::pair{&app::Lean::front, "Sheet leans to the front"}, {&app::Lean::side, "Sheet leans to the side"}}) {
+      const auto turn = [&, way](double degrees) {
+        app::Lean changed = lean;
+        changed.*way = degrees;
+        return app::turnFor(*sheet, changed);
+      };
+      const Setting what{words, words, -app::kMostLean, app::kMostLean, 1, "{n}°", 0};
+      if (sheet->layer) {
+        const auto shownLean = [&] {
+          app::Sheet seen = *sheet;
+          seen.turn = shown().planes[*sheet->layer].turn;
+          return app::leanOf(seen).*way;
+        };
+        number(what, shownLean(), [&](double value) { return app::withTurn(*sheet, turn(value)); });
+      } else {
+        free(what, lean.*way, [&](double value) { env_.ui().layers.turn = turn(value); });
+      }
     }
   }
 
@@ -117,16 +165,18 @@ class Settings {
     return held ? *held : layers_;
   }
 
+  /// Of nothing that is kept: it takes what is chosen at once.
+  template <class Take>
+  void free(const Setting& what, double now, const Take& take) {
+    double chosen = now;
+    if (slide(what, now, chosen).changed) take(chosen);
+  }
+
   /// Shows what it would do and does it when it is let go.
   template <class Change>
   void number(const Setting& what, double now, const Change& change) {
-    auto value = static_cast<float>(now * what.factor);
-    label(env_.fonts.small, kMuted, what.words);
-    ImGui::SetNextItemWidth(width_);
-    const std::string text = numberText(what.shown, static_cast<double>(value), what.digits);
-    const auto low = static_cast<float>(what.low * what.factor), high = static_cast<float>(what.high * what.factor);
-    const SliderTurn turn = slider(env_, {what.id, what.words.words, low, high, text.c_str(), false}, value);
-    const double chosen = std::clamp(static_cast<double>(value) / what.factor, what.low, what.high);
+    double chosen = now;
+    const SliderTurn turn = slide(what, now, chosen);
     if (turn.changed) {
       app::Preview& changed = app::previewPart(env_.ui(), part_);
       changed.recipe = change(chosen);
@@ -135,6 +185,17 @@ class Settings {
     if (!turn.done) return;
     env_.ui().preview.reset();
     keep(change(chosen));
+  }
+
+  SliderTurn slide(const Setting& what, double now, double& chosen) {
+    auto value = static_cast<float>(now * what.factor);
+    label(env_.fonts.small, kMuted, what.words);
+    ImGui::SetNextItemWidth(width_);
+    const std::string text = numberText(what.shown, static_cast<double>(value), what.digits);
+    const auto low = static_cast<float>(what.low * what.factor), high = static_cast<float>(what.high * what.factor);
+    const SliderTurn turn = slider(env_, {what.id, what.words.words, low, high, text.c_str(), false}, value);
+    chosen = std::clamp(static_cast<double>(value) / what.factor, what.low, what.high);
+    return turn;
   }
 
   const PanelEnv& env_;
@@ -149,6 +210,8 @@ class Settings {
 void layersPanel(const PanelEnv& env, const document::Part& part, float width) {
   Settings settings(env, part, width);
   settings.way();
+  settings.leaning();
+  settings.openLines();
   settings.between();
   settings.forks();
   settings.numbers();

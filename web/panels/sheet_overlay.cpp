@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "web/commands/intents.h"
+#include "web/edit/drawn_rail.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
@@ -111,9 +113,46 @@ void paintHandle(ImDrawList& list, ImVec2 at, float radius) {
   }
 }
 
-void paintKnob(SheetPainter& paint, const app::Sheet& sheet, bool hot) {
-  const auto at = paint.at(app::knobOf(sheet));
-  if (at && sheet.onRail()) paintHandle(paint.list(), *at, hot ? 13.f : 11.f);
+/// A bow with a tip at both ends: it leans to and fro about the line from the sheet's middle, which is at `from`.
+void paintLeanHandle(ImDrawList& list, ImVec2 at, ImVec2 from, float radius) {
+  const ImU32 colour = toolColour(app::ToolKind::Layers);
+  list.AddCircleFilled(at, radius + 2, colour, 24);
+  list.AddCircleFilled(at, radius, kHalo, 24);
+  const float out = std::atan2(at.y - from.y, at.x - from.x), reach = 0.55f * radius, tip = 0.42f * radius;
+  constexpr float kHalf = 1.15f;  // radians of the bow
+  list.PathArcTo(at, reach, out - kHalf, out + kHalf, 12);
+  list.PathStroke(colour, 0, 0.2f * radius);
+  for (const float way : {-1.f, 1.f}) {
+    const float angle = out + way * kHalf;
+    const ImVec2 end{at.x + reach * std::cos(angle), at.y + reach * std::sin(angle)};
+    const ImVec2 along{-std::sin(angle) * way * tip, std::cos(angle) * way * tip};
+    const ImVec2 beside{std::cos(angle) * tip * 0.8f, std::sin(angle) * tip * 0.8f};
+    const ImVec2 left{end.x - beside.x, end.y - beside.y}, right{end.x + beside.x, end.y + beside.y};
+    list.AddTriangleFilled({end.x + along.x * 1.2f, end.y + along.y * 1.2f}, left, right, colour);
+  }
+}
+
+void paintKnobs(SheetPainter& paint, const app::Sheet& sheet, const app::UiState& ui) {
+  if (!sheet.onRail()) return;
+  const auto isHot = [&](app::SheetHold hold, int joint) {
+    return ui.layers.held == hold || (ui.hover.sheet == hold && ui.hover.joint == joint);
+  };
+  const auto middle = paint.at(sheet.stand.origin);
+  for (int i = 0; middle && i < static_cast<int>(app::kLeans.size()); ++i) {
+    const auto at = paint.at(app::leanKnobOf(sheet, app::kLeans[static_cast<std::size_t>(i)]));
+    if (at) paintLeanHandle(paint.list(), *at, *middle, isHot(app::SheetHold::Lean, i) ? 12.f : 10.f);
+  }
+  if (const auto at = paint.at(app::knobOf(sheet))) {
+    paintHandle(paint.list(), *at, isHot(app::SheetHold::Knob, -1) ? 13.f : 11.f);
+  }
+}
+
+/// The line that is being drawn as the rail.
+void paintRail(ImDrawList& list, const std::vector<app::ClientPoint>& line) {
+  for (const auto& [colour, width] : {std::pair{faded(kHalo, 220), 6.f}, {toolColour(app::ToolKind::Layers), 3.f}}) {
+    for (const app::ClientPoint p : line) list.PathLineTo({static_cast<float>(p.x), static_cast<float>(p.y)});
+    list.PathStroke(colour, 0, width);
+  }
 }
 
 /// Bands from curve to curve with the marks that a tap changes, full where the curves become each other, and the knobs
@@ -164,9 +203,7 @@ SliderTurn placeSlider(const PanelEnv& env, const app::Sheet& sheet, bool ofLaye
 
 void sheetSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
   auto at = static_cast<float>(sheet.at);
-  if (!placeSlider(env, sheet, false, width, at).changed) return;
-  env.ui().layers.part = sheet.part;
-  env.ui().layers.at = std::clamp(static_cast<double>(at), 0.0, app::mostAt(sheet));
+  if (placeSlider(env, sheet, false, width, at).changed) app::placeSheet(env.ui(), sheet, static_cast<double>(at));
 }
 
 /// Shows what it would do and does it when it is let go.
@@ -192,15 +229,23 @@ void layerSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
 
 void drawSheet(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
-  const auto sheet = app::shownSheet(env.document(), ui);
+  auto sheet = app::shownSheet(env.document(), ui);
   if (!sheet) return;
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document(), env.derived, ui, *sheet);
   const app::Rect& view = ui.layout.solid;
   SheetPainter paint(env, toWorld);
   paint.list().PushClipRect({static_cast<float>(view.x), static_cast<float>(view.y)},
                             {static_cast<float>(view.right()), static_cast<float>(view.bottom())}, true);
-  paintGround(paint, *sheet);
   const auto* moved = ui.preview ? std::get_if<document::StackRecipe>(&ui.preview->recipe) : nullptr;
+  if (ui.layers.rail.size() > 1) {
+    paintRail(paint.list(), ui.layers.rail);
+    paint.list().PopClipRect();
+    return;
+  }
+  if (moved && sheet->layer && *sheet->layer < moved->planes.size()) {  // it goes with the layer
+    if (const auto stand = stack::standOf(moved->planes[*sheet->layer], moved->rail)) sheet->stand = stand.value();
+  }
+  paintGround(paint, *sheet);
   paintLayers(paint, *sheet, moved ? *moved : sheet->recipe);
   const ImU32 colour = toolColour(app::ToolKind::Layers);
   if (ui.layers.line.size() > 1) {
@@ -212,7 +257,7 @@ void drawSheet(const PanelEnv& env) {
     if (moved) seen.recipe = *moved;
     paintJoints(paint, app::jointsOf(env.document(), env.derived, ui, seen), ui.hover);
   }
-  paintKnob(paint, *sheet, ui.layers.held || ui.hover.sheet == app::SheetHold::Knob);
+  if (!app::drawsRail(env.document(), ui)) paintKnobs(paint, *sheet, ui);
   paint.list().PopClipRect();
 }
 

@@ -341,8 +341,7 @@ export interface State {
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
   /**
-   * The sheet of the tool 'layers': its place (a share of the rail; without a rail the number of a layer), half its side in picture pixels, the layer that it lies on, the layers of its part, and where its corners ([-half, -half] first) and its knob
-   * are on the canvas, CSS pixels.
+   * The sheet of the tool 'layers': its place (a share of the rail; without a rail the number of a layer), half its side in picture pixels, the layer that it lies on, the layers of its part, and where its corners ([-half, -half] first) and its knob are on the canvas, CSS pixels.
    */
   sheet: {
     at: number;
@@ -356,6 +355,10 @@ export interface State {
      */
     links: { of: [number, number, number]; on: boolean; mark: [number, number] | null }[];
     /** Where a curve of a layer (`of`: layer, curve) parts into several of the next (`up`) or several of the one before join into it: `at`, 0…1 of the way to them. */
+    /** Degrees by which its edges to the viewer and to the right are ahead along the rail, and the knobs that lean it; `drawsRail`: the next line in the solid view becomes the rail. */
+    lean: { front: number; side: number };
+    leanKnobs: ([number, number] | null)[];
+    drawsRail: boolean;
     forks: { of: [number, number]; up: boolean; at: number; knob: [number, number] | null }[];
   } | null;
   /** What the tool 'bone' can take hold of on a puff with a slice, in CSS pixels of the canvas: ends and forks, knobs for its thickness, places of slices, bones, and those left out. */

@@ -218,7 +218,8 @@ const char* cursorFor(const app::UiState& ui, app::Focus view) {
     if (ui.solids.pointing || ui.solids.hollow) return hover.part ? "crosshair" : "grab";
     if (hover.sheet == app::SheetHold::Knob || hover.sheet == app::SheetHold::Fork) return "ns-resize";
     if (hover.sheet == app::SheetHold::Link) return "pointer";
-    if (hover.sheet == app::SheetHold::Sheet) return "crosshair";
+    if (hover.sheet == app::SheetHold::Lean) return "grab";
+    if (hover.sheet == app::SheetHold::Sheet || hover.sheet == app::SheetHold::Rail) return "crosshair";
     const bool body = ui.tool == ToolKind::Place && hover.part;
     if (hover.bone >= 0) return "grab";
     if (hover.depth >= 0) return "ns-resize";

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "web/commands/intents.h"
+#include "web/edit/drawn_rail.h"
+#include "web/edit/layer_settings.h"
 #include "web/edit/preview.h"
 
 namespace spineloft::tools {
@@ -33,6 +35,14 @@ app::ClientPoint railOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const
   return norm(unit) < kLeastUnit ? app::ClientPoint{0, -kLeastUnit} : unit;
 }
 
+/// The way on the canvas that a knob goes while the sheet turns by a radian.
+app::ClientPoint leanOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const pipeline::ToWorld& toWorld) {
+  const ModelPoint middle = sheet.stand.origin;
+  const double reach = distance(app::knobOf(sheet), middle);
+  const auto a = onCanvas(env, toWorld, middle), b = onCanvas(env, toWorld, middle - sheet.stand.normal() * reach);
+  return a && b && distance(*a, *b) >= kLeastUnit ? *b - *a : app::ClientPoint{0, -kLeastUnit};
+}
+
 /// The way on the canvas from the one curve of a fork to the several.
 app::ClientPoint wayOnCanvas(const ToolEnv& env, const app::LayerFork& fork, const pipeline::ToWorld& toWorld) {
   const auto a = onCanvas(env, toWorld, fork.stem), b = onCanvas(env, toWorld, fork.ahead);
@@ -44,6 +54,7 @@ app::ClientPoint wayOnCanvas(const ToolEnv& env, const app::LayerFork& fork, con
 SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
   const auto sheet = app::shownSheet(env.document, env.ui);
   if (!sheet) return {};
+  if (app::drawsRail(env.document, env.ui)) return {SheetHold::Rail};
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document, env.derived, env.ui, *sheet);
   const auto knob = onCanvas(env, toWorld, app::knobOf(*sheet));
   const auto at = app::onSheet(*sheet, toWorld, env.ui, event.at);
@@ -51,6 +62,10 @@ SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
   // A line may begin near the knob.
   const double reach = inside ? kMouseReach : event.touch() ? kTouchReach : 1.6 * kMouseReach;
   if (knob && sheet->onRail() && distance(*knob, event.at) <= reach) return {SheetHold::Knob};
+  for (int i = 0; sheet->onRail() && i < static_cast<int>(app::kLeans.size()); ++i) {
+    const auto tip = onCanvas(env, toWorld, app::leanKnobOf(*sheet, app::kLeans[static_cast<std::size_t>(i)]));
+    if (tip && distance(*tip, event.at) <= reach) return {SheetHold::Lean, i};
+  }
   const app::LayerJoints joints = app::jointsOf(env.document, env.derived, env.ui, *sheet);
   double nearest = event.touch() ? kTouchReach : kMouseReach;  // a line may begin on a mark, too: move()
   SheetGrip grip{inside ? SheetHold::Sheet : SheetHold::Nothing};
@@ -75,8 +90,7 @@ bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by) {
   constexpr double kPerPixel = 0.0004;  // of the rail: a notch of a wheel is 0.04 of it
   const auto sheet = app::shownSheet(env.document, env.ui);
   const double way = sheet->onRail() ? -by * kPerPixel : by < 0 ? 1 : -1;
-  env.ui.layers.part = sheet->part;
-  env.ui.layers.at = std::clamp(sheet->at + way, 0.0, app::mostAt(*sheet));
+  app::placeSheet(env.ui, *sheet, sheet->at + way);
   return true;
 }
 
@@ -89,10 +103,12 @@ void SheetTool::begin(const ToolEnv& env, const ToolEvent& event) {
   joints_ = app::jointsOf(env.document, env.derived, env.ui, sheet_);
   toWorld_ = app::sheetInWorld(env.document, env.derived, env.ui, sheet_);
   before_ = sheet_.at;
-  unit_ = grip_.hold == SheetHold::Fork ? wayOnCanvas(env, fork(), toWorld_) : railOnCanvas(env, sheet_, toWorld_);
-  env.ui.layers.part = sheet_.part;
-  env.ui.layers.at = before_;
-  env.ui.layers.held = grip_.hold == SheetHold::Knob;
+  unit_ = grip_.hold == SheetHold::Fork   ? wayOnCanvas(env, fork(), toWorld_)
+          : grip_.hold == SheetHold::Lean ? leanOnCanvas(env, sheet_, toWorld_)
+                                          : railOnCanvas(env, sheet_, toWorld_);
+  turn_ = sheet_.turn;
+  app::placeSheet(env.ui, sheet_, before_);
+  env.ui.layers.held = grip_.hold;
 }
 
 void SheetTool::move(const ToolEnv& env, const ToolEvent& event) {
@@ -105,15 +121,41 @@ void SheetTool::move(const ToolEnv& env, const ToolEvent& event) {
   if (grip_.hold == SheetHold::Knob) lift(env, event);
   if (grip_.hold == SheetHold::Sheet) draw(env, event);
   if (grip_.hold == SheetHold::Fork) raise(env, event);
+  if (grip_.hold == SheetHold::Lean) lean(env, event);
+  if (grip_.hold == SheetHold::Rail) drawRail(env, event);
+}
+
+void SheetTool::show(const ToolEnv& env, const document::StackRecipe& recipe) const {
+  const document::Part* part = document::findPart(env.document, sheet_.part);
+  if (part == nullptr) return;
+  app::Preview& preview = app::previewPart(env.ui, *part);
+  preview.recipe = recipe;
+  preview.fresh = false;
+}
+
+void SheetTool::lean(const ToolEnv& env, const ToolEvent& event) {
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  double app::Lean::* const way = app::kLeans[static_cast<std::size_t>(grip_.joint)];
+  const double by = kDegrees * dot(event.at - watch_.start(), unit_) / dot(unit_, unit_);
+  app::Lean lean = app::leanOf(sheet_);
+  lean.*way += way == &app::Lean::side ? -by : by;  // its knob is at the left edge
+  turn_ = app::turnFor(sheet_, lean);
+  env.ui.layers.turn = turn_;
+  if (sheet_.layer) show(env, app::withTurn(sheet_, turn_));
+}
+
+void SheetTool::drawRail(const ToolEnv& env, const ToolEvent& event) {
+  std::vector<app::ClientPoint>& line = env.ui.layers.rail;
+  if (line.empty()) line.push_back(watch_.start());
+  if (distance(event.at, line.back()) < kSpacing || env.picker == nullptr) return;
+  line.push_back(event.at);
+  rail_ = app::railAlong(env.document, env.derived, env.ui, *env.picker, sheet_, line);
+  if (*rail_) show(env, app::withRail(sheet_.recipe, rail_->value()));
 }
 
 void SheetTool::raise(const ToolEnv& env, const ToolEvent& event) {
-  const document::Part* part = document::findPart(env.document, sheet_.part);
-  if (part == nullptr) return;
   raised_ = std::clamp(fork().at + dot(event.at - watch_.start(), unit_) / dot(unit_, unit_), 0.0, 1.0);
-  app::Preview& preview = app::previewPart(env.ui, *part);
-  preview.recipe = app::withFork(sheet_.recipe, fork(), raised_);
-  preview.fresh = false;
+  show(env, app::withFork(sheet_.recipe, fork(), raised_));
 }
 
 void SheetTool::lift(const ToolEnv& env, const ToolEvent& event) {
@@ -147,12 +189,17 @@ void SheetTool::draw(const ToolEnv& env, const ToolEvent& event) {
 
 void SheetTool::commit(const ToolEnv& env) {
   const std::vector<SectionPoint> line = std::exchange(env.ui.layers.line, {});
-  env.ui.layers.held = false;
+  env.ui.layers.held = SheetHold::Nothing;
+  env.ui.layers.rail.clear();
   env.ui.preview.reset();
   if (line.size() > 1) {
     env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
   } else if (grip_.hold == SheetHold::Knob) {
     env.sink.run(app::seeSheet);
+  } else if (grip_.hold == SheetHold::Lean && watch_.moved()) {
+    env.sink.run(app::leanSheet, turn_);
+  } else if (grip_.hold == SheetHold::Rail && rail_) {
+    env.sink.run(app::followRail, sheet_.part, *rail_);
   } else if (grip_.hold == SheetHold::Fork && watch_.moved()) {
     env.sink.run(app::remakeLayers, sheet_.part, app::withFork(sheet_.recipe, fork(), raised_));
   } else if (grip_.hold == SheetHold::Link && !watch_.moved()) {
@@ -163,8 +210,10 @@ void SheetTool::commit(const ToolEnv& env) {
 
 void SheetTool::cancel(const ToolEnv& env) {
   if (grip_.hold == SheetHold::Knob) env.ui.layers.at = before_;
+  if (grip_.hold == SheetHold::Lean) env.ui.layers.turn = sheet_.turn;
   env.ui.layers.line.clear();
-  env.ui.layers.held = false;
+  env.ui.layers.rail.clear();
+  env.ui.layers.held = SheetHold::Nothing;
   env.ui.preview.reset();
 }
 

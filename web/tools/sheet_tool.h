@@ -30,17 +30,23 @@ class SheetTool final : public Tool {
   void lift(const ToolEnv& env, const ToolEvent& event);
   void draw(const ToolEnv& env, const ToolEvent& event);
   void raise(const ToolEnv& env, const ToolEvent& event);
+  void lean(const ToolEnv& env, const ToolEvent& event);
+  /// The part as it would be.
+  void show(const ToolEnv& env, const document::StackRecipe& recipe) const;
+  void drawRail(const ToolEnv& env, const ToolEvent& event);
   const app::LayerFork& fork() const { return joints_.forks[static_cast<std::size_t>(grip_.joint)]; }
 
   DragWatch watch_;
   SheetGrip grip_;
-  app::Sheet sheet_;           ///< as the press found it
-  app::LayerJoints joints_;    ///< the same
-  pipeline::ToWorld toWorld_;  ///< the same
-  app::ClientPoint last_;      ///< of the line
-  app::ClientPoint unit_;      ///< a whole rail on the canvas, or the way of a fork, CSS pixels
-  double before_ = 0;          ///< where the sheet was
-  double raised_ = 0;          ///< where the fork is
+  app::Sheet sheet_;                         ///< as the press found it
+  app::LayerJoints joints_;                  ///< the same
+  pipeline::ToWorld toWorld_;                ///< the same
+  app::ClientPoint last_;                    ///< of the line
+  app::ClientPoint unit_;                    ///< a whole rail on the canvas, or the way of a fork, CSS pixels
+  double before_ = 0;                        ///< where the sheet was
+  double raised_ = 0;                        ///< where the fork is
+  geometry::Turn turn_;                      ///< of the leaning sheet
+  std::optional<Result<stack::Rail>> rail_;  ///< along the line so far
 };
 
 }  // namespace spineloft::tools

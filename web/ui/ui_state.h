@@ -13,6 +13,7 @@
 #include "engine/base/ids.h"
 #include "engine/document/action.h"
 #include "engine/document/document.h"
+#include "engine/geometry/turn.h"
 #include "engine/pipeline/derive.h"
 #include "engine/ribs/edit/edit_gestures.h"
 #include "web/model/cut_draft.h"
@@ -164,7 +165,9 @@ enum class GizmoHandle : std::uint8_t {
 enum class SheetHold : std::uint8_t {
   Nothing,
   Knob,
+  Lean,  ///< the tip of the stick that stands on it
   Sheet,
+  Rail,  ///< a line drawn from here is the rail
   Link,  ///< the mark of two curves that become each other, or might
   Fork,  ///< the knob of a fork
 };
@@ -297,8 +300,11 @@ struct Flash {
 struct LayerUi {
   PartId part;                          ///< whose sheet it is; none: of the next part
   std::optional<double> at = {};        ///< none: where sheets begin
+  geometry::Turn turn = {};             ///< of a sheet that lies on no layer: from how it stands on the rail
   std::vector<SectionPoint> line = {};  ///< that is being drawn on it
-  bool held = false;                    ///< by its knob
+  SheetHold held = SheetHold::Nothing;  ///< its knob or its stick
+  bool drawsRail = false;               ///< the next line in the solid view is the rail
+  std::vector<ClientPoint> rail = {};   ///< that line
 };
 
 /// Solids made of parts: which one is chosen, what is ticked for the next one, and how the list stands.

@@ -23,7 +23,7 @@ struct TestHand final : app::Hand {
   void drop() override { held = false; }
 };
 
-/// A picture with a loft, a region, a shape and two pieces of lines, steps to undo and one to redo.
+/// A picture with a loft, a region, a shape, two pieces of lines and one of layers, steps to undo and one to redo.
 struct Desk {
   test::FakeHost host;
   app::Studio studio{host, 0};
@@ -42,9 +42,10 @@ struct Desk {
     run("pull", R"({"line":[[150,60]]})");
     run("draw-line", R"({"points":[[20,130],[80,130],[80,180],[20,180]],"closed":true})");
     run("draw-line", R"({"points":[[60,140],[120,140],[120,170],[60,170]],"closed":true})");
+    run("draw-layer", R"({"through":[[30,0],[0,30],[-30,0],[0,-30]]})");
     run("rename-model", R"({"name":"A swan"})");
     run("undo");
-    REQUIRE(studio.document().parts.size() == 5);
+    REQUIRE(studio.document().parts.size() == 6);
     do {
       studio.pump();
       studio.derived();
@@ -56,7 +57,7 @@ struct Desk {
     REQUIRE(done.ok());
   }
 
-  PartId anyPart(Rng& rng) { return studio.document().parts[rng.below(5)]->id; }
+  PartId anyPart(Rng& rng) { return studio.document().parts[rng.below(6)]->id; }
   /// Opens and closes what modes are about, each with a chance of a quarter.
   void pile(Rng& rng) {
     const auto chance = [&] { return rng.below(4) == 0; };
@@ -79,6 +80,12 @@ struct Desk {
     ui.focus = chance() ? app::Focus::Solid : app::Focus::Picture;
     using enum app::ToolKind;
     ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines, Pull, Bridge}[rng.below(11)];
+    ui.layers = {};
+    if (chance()) {
+      ui.tool = Layers;
+      ui.selection = ui.layers.part = studio.document().parts.back()->id;
+      ui.layers.drawsRail = true;
+    }
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};
     if (chance()) ui.chosen.handle = 0;

@@ -1,0 +1,89 @@
+#include "engine/stack/centre_rail.h"
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "engine/base/limits.h"
+#include "engine/geometry/polygon.h"
+#include "engine/stack/outline.h"
+#include "engine/stack/rail_line.h"
+#include "engine/stack/sheets.h"
+
+namespace spineloft::stack {
+namespace {
+
+/// Of the area within the curves, each by itself.
+std::optional<SectionPoint> centreOf(const Plane& plane) {
+  SectionPoint sum;
+  double whole = 0;
+  for (const Curve& curve : plane.curves) {
+    const std::vector<SectionPoint> outline = polygonOf(curve).points;
+    const double area = std::abs(geometry::signedArea(std::span<const SectionPoint>(outline)));
+    sum = sum + geometry::centroid(std::span<const SectionPoint>(outline)) * area;
+    whole += area;
+  }
+  return whole > 0 ? std::optional(sum / whole) : std::nullopt;
+}
+
+void moveBy(Plane& plane, SectionPoint by) {
+  for (Curve& curve : plane.curves) {
+    for (SectionPoint& p : curve.through) p = p + by;
+    curve.base += curve.as == CurveUse::Ground ? by.y : 0;
+  }
+}
+
+/// What turns `from` so that its directions are those of `to`, in the coordinates of `from`.
+geometry::Turn turnBetween(const Stand& from, const Stand& to) {
+  const auto in = [&](ModelPoint v) { return ModelPoint{dot(v, from.x), dot(v, from.y), dot(v, from.normal())}; };
+  const ModelPoint normal = in(to.normal()), x = in(to.x);
+  const geometry::Turn lean = geometry::turnTo(ModelPoint{0, 0, 1}, normal);
+  const ModelPoint leant = geometry::turned(lean, ModelPoint{1, 0, 0});
+  const double angle = std::atan2(dot(cross(leant, x), normal), dot(leant, x));
+  return geometry::after(lean, geometry::turnAbout(normal, angle));
+}
+
+}  // namespace
+
+Result<OnRail> ontoCentres(const std::vector<Plane>& planes, const Rail& rail) {
+  if (planes.size() < (rail.closed ? 3u : 2u)) {
+    return {Error::StackInvalid, rail.closed ? "a closed rail through the middles needs three sheets: draw another one"
+                                             : "a rail through the middles needs two sheets: draw another one"};
+  }
+  std::optional<RailLine> line;
+  if (!rail.points.empty()) {
+    auto made = RailLine::of(rail);
+    if (!made) return made.failure();
+    line = std::move(made).value();
+  }
+  OnRail out{planes, {{}, rail.closed}};
+  std::vector<Stand> stands;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const std::string name = "sheet " + std::to_string(i + 1);
+    const auto centre = centreOf(planes[i]);
+    if (!centre) return {Error::StackInvalid, name + " has no curve: draw one, or remove it"};
+    if (!planes[i].origin && !line) return {Error::StackInvalid, "the rail has no length"};
+    stands.push_back(standOf(planes[i], line));
+    stands.back().origin = stands.back().at(*centre);
+    const ModelPoint at = stands.back().origin;
+    const bool twice = (i > 0 && distance(at, out.rail.points.back()) <= kSamePoint) ||
+                       (rail.closed && i + 1 == planes.size() && distance(at, out.rail.points.front()) <= kSamePoint);
+    if (twice) return {Error::StackInvalid, name + " has its middle where its neighbour has: move one of them"};
+    out.rail.points.push_back(at);
+    moveBy(out.planes[i], *centre * -1);
+  }
+  const auto along = RailLine::of(out.rail);
+  if (!along) return along.failure();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Plane& plane = out.planes[i];
+    plane.origin.reset();
+    plane.turn = {};
+    plane.at = along.value().shareOf(i);
+    plane.turn = turnBetween(standOf(plane, std::optional(along.value())), stands[i]);
+  }
+  return out;
+}
+
+}  // namespace spineloft::stack
