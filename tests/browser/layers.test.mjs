@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { findControl, onCanvas, press, strokeAlong } from './support/hands.mjs';
-import { exported, idle, kPhone, onPage, run, state, useSite } from './support/page.mjs';
+import { exported, idle, kPhone, kSharp, onPage, pixels, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
 
@@ -205,3 +205,43 @@ for (const [device, options] of [
       assert.equal((await state(page)).undo, steps);
     }));
 }
+
+test('what lies before the sheet is faint, what lies behind it stays as it is', () =>
+  onPage(kit, kSharp, async (page) => {
+    await paper(page);
+    await run(page, 'layer-circle');
+    const box = { x: Infinity, y: Infinity, right: 0, bottom: 0 };
+    for (const at of [0, 1]) {
+      await run(page, 'layer-sheet', { at });
+      for (const corner of await onCanvas(page, ...(await state(page)).sheet.corners)) {
+        box.x = Math.min(box.x, Math.round(corner.x));
+        box.y = Math.min(box.y, Math.round(corner.y));
+        box.right = Math.max(box.right, Math.round(corner.x));
+        box.bottom = Math.max(box.bottom, Math.round(corner.y));
+      }
+    }
+    const clip = { x: box.x, y: box.y, width: box.right - box.x, height: box.bottom - box.y };
+    // How much redder than blue each pixel is: the part is orange, the sheet is not.
+    const warmth = async () => {
+      const { data } = await pixels(page, clip);
+      return Array.from({ length: data.length / 4 }, (_, i) => data[4 * i] - data[4 * i + 2]);
+    };
+    await run(page, 'draw');
+    await idle(page);
+    const whole = await warmth();
+    await run(page, 'layers');
+    await run(page, 'layer-sheet', { at: 0.5 });
+    await idle(page);
+    const cut = await warmth();
+    const part = whole.flatMap((warm, i) => (warm > 50 ? [i] : []));
+    assert.ok(part.length > 5000, `${part.length} pixels of the part`);
+    const share = (holds) => part.filter((i) => holds(cut[i] / whole[i])).length / part.length;
+    const faint = share((left) => left > 0.05 && left < 0.45);
+    const full = share((left) => left > 0.6);
+    assert.ok(faint > 0.2 && full > 0.35 && faint + full > 0.85, `${faint} faint, ${full} full`);
+    assert.ok(share((left) => left <= 0.05) < 0.05); // faint, not gone
+    await run(page, 'layer-sheet', { at: 1 });
+    await idle(page);
+    const top = await warmth();
+    assert.ok(part.filter((i) => top[i] < 0.6 * whole[i]).length < 0.1 * part.length);
+  }));

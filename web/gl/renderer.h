@@ -48,6 +48,9 @@ struct SceneMesh {
   Finish finish = Finish::Plain;
   bool faceted = false;  ///< every triangle flat; part of `key`
   float glow = 0;        ///< 0…1: how much it is lit
+  /// A unit normal n of the world and an offset d: what lies before that plane, n · p > d, is drawn faint, and the open
+  /// cut that this leaves looks like a section.
+  std::optional<std::array<float, 4>> fadeBefore;
   bool operator==(const SceneMesh&) const = default;
 };
 

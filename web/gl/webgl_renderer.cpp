@@ -338,6 +338,7 @@ class WebGlRenderer final : public Renderer {
       layer_.draw(view.left, view.bottom, quadArray_);
       drawFloor(scene);
       drawMeshes(scene, layer_.others());
+      drawFaint(scene);
     } else {
       drawSolids(scene);
     }
@@ -355,6 +356,7 @@ class WebGlRenderer final : public Renderer {
     drawBackground(scene);
     drawFloor(scene);
     drawMeshes(scene, scene.meshes);
+    drawFaint(scene);
   }
 
   void drawBackground(const Scene& scene) const {
@@ -389,13 +391,29 @@ class WebGlRenderer final : public Renderer {
     glDisable(GL_BLEND);
   }
 
-  void drawMeshes(const Scene& scene, std::span<const SceneMesh> meshes) {
+  /// What lies before the planes of meshes, above all else: of each only the nearest surface.
+  void drawFaint(const Scene& scene) {
+    if (std::ranges::none_of(scene.meshes, [](const SceneMesh& item) { return item.fadeBefore.has_value(); })) return;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawMeshes(scene, scene.meshes, Share::Faint);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    drawMeshes(scene, scene.meshes, Share::Faint);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+
+  /// Of meshes with a plane: what is not before it, or what is.
+  enum class Share : std::uint8_t { Solid, Faint };
+
+  void drawMeshes(const Scene& scene, std::span<const SceneMesh> meshes, Share share = Share::Solid) {
     const Mat4 toClip = scene.projection * scene.view;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     const Program& program = programs_.mesh;
     glUseProgram(program.name());
-    glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, toClip.m.data());
     glUniformMatrix4fv(uniform(program, "toEye"), 1, GL_FALSE, scene.view.m.data());
@@ -403,12 +421,17 @@ class WebGlRenderer final : public Renderer {
     const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
                 textured = uniform(program, "textured"), glow = uniform(program, "glow"),
                 area = uniform(program, "area"), second = uniform(program, "second"), split = uniform(program, "split"),
-                finish = uniform(program, "finish");
+                finish = uniform(program, "finish"), plane = uniform(program, "plane"), side = uniform(program, "side");
     for (const SceneMesh& item : meshes) {
+      if (share == Share::Faint && !item.fadeBefore) continue;
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glFrontFace(item.flips ? GL_CW : GL_CCW);
+      const bool open = share == Share::Solid && item.fadeBefore;  // its inside is seen
+      open ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+      glUniform4fv(plane, 1, item.fadeBefore.value_or(std::array<float, 4>{}).data());
+      glUniform1f(side, share == Share::Faint ? 1.f : item.fadeBefore ? -1.f : 0.f);
       glUniform3fv(colour, 1, linear(item.colour).data());
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);

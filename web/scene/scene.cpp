@@ -11,6 +11,7 @@
 #include "engine/mesh/laws.h"
 #include "engine/publish/publish.h"
 #include "web/edit/hollowing.h"
+#include "web/edit/layers.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 
@@ -42,11 +43,54 @@ gl::Mat4 matrixOf(const pipeline::ToWorld& toWorld) {
   return out;
 }
 
-/// The mesh as often as it is seen.
-void addCopies(gl::SceneMesh mesh, const pipeline::Copies& copies, gl::Scene& scene) {
+/// The sheet of the tool Layers in the world, and whose it is.
+struct Cut {
+  PartId part;                 ///< none: the next part's
+  std::array<float, 4> plane;  ///< gl::SceneMesh::fadeBefore; the eye is before it
+  double least = 0;            ///< world units of a mesh on both sides, where the sheet is in its middle
+};
+
+std::optional<Cut> cutOf(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
+  const std::optional<Sheet> sheet = shownSheet(document, ui);
+  if (!sheet) return std::nullopt;
+  constexpr double kLeast = 0.02;  // of the sheet's half side
+  const pipeline::ToWorld toWorld = sheetInWorld(document, derived, ui, *sheet);
+  const WorldPoint at = toWorld(sheet->stand.origin);
+  WorldPoint normal = toWorld.along(sheet->stand.normal()) / toWorld.scale;
+  if (dot(normal, ui.camera.eye() - at) < 0) normal = normal * -1;
+  const auto f = [](double v) { return static_cast<float>(v); };
+  return Cut{
+      sheet->part, {f(normal.x), f(normal.y), f(normal.z), f(dot(normal, at))}, kLeast * sheet->half * toWorld.scale};
+}
+
+/// What of the part hides its sheet is faint: the mesh, if the sheet is in its middle.
+void fade(const std::optional<Cut>& cut, PartId part, gl::SceneMesh& mesh) {
+  if (!cut || cut->part != part) return;
+  const auto& m = mesh.toWorld.m;
+  const auto& n = cut->plane;
+  const auto along = [&](std::size_t column) {
+    return n[0] * m[4 * column] + n[1] * m[4 * column + 1] + n[2] * m[4 * column + 2];
+  };
+  const float x = along(0), y = along(1), z = along(2), shift = along(3) - n[3];
+  bool before = false, behind = false;
+  for (const auto& p : mesh.mesh->positions) {
+    const float far = x * p[0] + y * p[1] + z * p[2] + shift;
+    before = before || far > cut->least;
+    behind = behind || far < -cut->least;
+    if (!before || !behind) continue;
+    mesh.fadeBefore = n;
+    return;
+  }
+}
+
+/// The part's mesh as often as it is seen; its sheet stands in the first one.
+void addCopies(gl::SceneMesh mesh, PartId part, const pipeline::Copies& copies, const std::optional<Cut>& cut,
+               gl::Scene& scene) {
   for (const pipeline::ToWorld& toWorld : copies) {
     mesh.toWorld = matrixOf(toWorld);
     mesh.flips = toWorld.flips;
+    mesh.fadeBefore.reset();
+    if (&toWorld == copies.begin()) fade(cut, part, mesh);
     scene.meshes.push_back(mesh);
   }
 }
@@ -120,7 +164,7 @@ gl::MeshKey meshKey(std::string_view what, std::uint64_t hash, bool faceted) {
 }
 
 void addParts(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
-              gl::Scene& scene) {
+              const std::optional<Cut>& cut, gl::Scene& scene) {
   const std::size_t count = std::min(document.parts.size(), derived.parts.size());
   for (std::size_t i = 0; i < count; ++i) {
     const document::Part& part = document.parts[i];
@@ -133,7 +177,7 @@ void addParts(const document::Document& document, const pipeline::Derived& deriv
     const bool several = document.parts.size() > 1;
     const bool lit = ui.solids.hollow ? becomesHollow(document, ui, part.id) : isSelected(document, ui, part.id);
     mesh.glow = several && lit ? 1.f : several && part.id == ui.hover.part ? 0.45f : 0.f;
-    addCopies(mesh, shownCopies(ui, part, source.entry->size), scene);
+    addCopies(mesh, part.id, shownCopies(ui, part, source.entry->size), cut, scene);
   }
 }
 
@@ -162,7 +206,7 @@ gl::SceneMesh pieceOf(const document::Document& document, const pipeline::Derive
 }
 
 void addSolids(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
-               gl::Scene& scene) {
+               const std::optional<Cut>& cut, gl::Scene& scene) {
   for (const document::Step& step : document.steps) {
     const pipeline::DerivedStep* shown = shownSolid(document, derived, step);
     if (shown == nullptr) continue;
@@ -176,13 +220,14 @@ void addSolids(const document::Document& document, const pipeline::Derived& deri
       mesh.glow = chosen ? 0.7f : piece.part && piece.part == ui.hover.part ? 0.35f : 0.f;
       const std::optional<Flash>& flash = ui.solids.flash;
       if (flash && flash->step == step.id) mesh.glow = std::max(mesh.glow, static_cast<float>(flash->light));
+      if (piece.part) fade(cut, piece.part, mesh);
       scene.meshes.push_back(mesh);
     }
   }
 }
 
 void addPreview(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
-                gl::Scene& scene) {
+                const std::optional<Cut>& cut, gl::Scene& scene) {
   if (!ui.preview || !ui.preview->shape) return;
   const Preview& preview = *ui.preview;
   if (solidOf(document, derived, preview.part) != nullptr) return;  // it changes the solid instead
@@ -190,7 +235,7 @@ void addPreview(const document::Document& document, const pipeline::Derived& der
   if (source.entry == nullptr) return;
   gl::SceneMesh mesh = meshOf(source, preview.look, *preview.shape);
   mesh.key = meshKey("preview", preview.revision, mesh.faceted);
-  addCopies(mesh, previewCopies(document, derived, ui, source.entry->size), scene);
+  addCopies(mesh, preview.part, previewCopies(document, derived, ui, source.entry->size), cut, scene);
 }
 
 /// The next of the sizes that the floor has, which are a twelfth apart: small changes of a part leave it alone.
@@ -241,9 +286,10 @@ void buildScene(const document::Document& document, const pipeline::Derived& der
   scene.view = viewOf(ui.camera);
   scene.projection = projectionOf(ui.camera, ui.layout.solid);
   scene.meshes.clear();
-  addParts(document, derived, ui, scene);
-  addSolids(document, derived, ui, scene);
-  addPreview(document, derived, ui, scene);
+  const std::optional<Cut> cut = cutOf(document, derived, ui);
+  addParts(document, derived, ui, cut, scene);
+  addSolids(document, derived, ui, cut, scene);
+  addPreview(document, derived, ui, cut, scene);
   addFloor(scene);
 }
 
