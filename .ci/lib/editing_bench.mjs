@@ -215,6 +215,35 @@ async function viewTimes(page) {
   return found;
 }
 
+/** A hand of layers, one to five: its sheet is lifted between them, and its last layer leans with the solid. */
+async function sheetTimes(browser, site) {
+  const page = await openWarm(browser, site);
+  await page.getByRole('button', { name: 'Draw on paper' }).click();
+  const knobs = await page.evaluate(async () => {
+    const api = window.spineloft;
+    const round = (x, y, radius) => {
+      const points = Array.from({ length: 8 }, (_, i) => (2 * Math.PI * i) / 8);
+      return points.map((turn) => [x + radius * Math.cos(turn), y + radius * Math.sin(turn)]);
+    };
+    await api.idle();
+    await api.run('more-tools', { on: true });
+    await api.run('layers');
+    await api.run('draw-layer', { at: 0, through: round(0, 0, 80) });
+    await api.run('draw-layer', { at: 0.5, through: round(0, 0, 150) });
+    for (let i = -2; i <= 2; ++i) await api.run('draw-layer', { at: 1, through: round(90 * i, 0, 35) });
+    await api.idle();
+    const { left, top } = document.querySelector('#canvas').getBoundingClientRect();
+    const { knob, leanKnobs } = api.state().sheet;
+    return [knob, leanKnobs[1]].map(([x, y]) => [x + left, y + top]);
+  });
+  const downAndUp = ([x, y]) => Array.from({ length: kMoves + 1 }, (_, i) => [x, y + 60 * Math.abs(Math.sin(i / 12))]);
+  const found = { 'lean a layer of a hand': await watched(page, steadyTimes, [downAndUp(knobs[1])]) };
+  await page.evaluate(() => window.spineloft.run('undo'));
+  found['lift the sheet of a hand'] = await watched(page, steadyTimes, [downAndUp(knobs[0])]);
+  await page.context().close();
+  return found;
+}
+
 /** The first lines of a visit: on a photo, and on a sheet of paper, each in a fresh page. */
 async function firstLines(browser, site) {
   const photo = await openWarm(browser, site);
@@ -354,6 +383,7 @@ export async function editingTimes() {
     result['hover over the solid'] = await timed(hoverTimes, 'solid', kMoves);
     Object.assign(result, await viewTimes(page));
     await page.context().close();
+    Object.assign(result, await sheetTimes(browser, site));
     return { ...result, ...(await firstLines(browser, site)), ...(await firstSolids(browser, site)) };
   } finally {
     await browser.close();

@@ -52,22 +52,15 @@ Result<OnRail> ontoCentres(const std::vector<Plane>& planes, const Rail& rail) {
     return {Error::StackInvalid, rail.closed ? "a closed rail through the middles needs three sheets: draw another one"
                                              : "a rail through the middles needs two sheets: draw another one"};
   }
-  std::optional<RailLine> line;
-  if (!rail.points.empty()) {
-    auto made = RailLine::of(rail);
-    if (!made) return made.failure();
-    line = std::move(made).value();
-  }
+  auto stood = standsOf(planes, rail);
+  if (!stood) return stood.failure();
+  std::vector<Stand> stands = std::move(stood).value();
   OnRail out{planes, {{}, rail.closed}};
-  std::vector<Stand> stands;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::string name = "sheet " + std::to_string(i + 1);
     const auto centre = centreOf(planes[i]);
     if (!centre) return {Error::StackInvalid, name + " has no curve: draw one, or remove it"};
-    if (!planes[i].origin && !line) return {Error::StackInvalid, "the rail has no length"};
-    stands.push_back(standOf(planes[i], line));
-    stands.back().origin = stands.back().at(*centre);
-    const ModelPoint at = stands.back().origin;
+    const ModelPoint at = stands[i].origin = stands[i].at(*centre);
     const bool twice = (i > 0 && distance(at, out.rail.points.back()) <= kSamePoint) ||
                        (rail.closed && i + 1 == planes.size() && distance(at, out.rail.points.front()) <= kSamePoint);
     if (twice) return {Error::StackInvalid, name + " has its middle where its neighbour has: move one of them"};

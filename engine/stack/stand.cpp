@@ -1,5 +1,9 @@
 #include "engine/stack/stand.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "engine/stack/outline.h"
 #include "engine/stack/rail_line.h"
 #include "engine/stack/sheets.h"
@@ -29,6 +33,18 @@ Result<Stand> standOf(const Plane& plane, const Rail& rail) {
   const Result<RailLine> line = RailLine::of(rail);
   if (!line) return line.failure();
   return standOf(plane, std::optional(line.value()));
+}
+
+Result<std::vector<Stand>> standsOf(const std::vector<Plane>& planes, const Rail& rail) {
+  std::optional<RailLine> line;
+  if (std::ranges::any_of(planes, [](const Plane& plane) { return !plane.origin; })) {
+    Result<RailLine> made = RailLine::of(rail);
+    if (!made) return made.failure();
+    line = std::move(made).value();
+  }
+  std::vector<Stand> stands;
+  for (const Plane& plane : planes) stands.push_back(standOf(plane, line));
+  return stands;
 }
 
 double lengthOf(const Rail& rail) {

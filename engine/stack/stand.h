@@ -20,6 +20,9 @@ struct Stand {
 /// Where a plane stands. Error: StackInvalid (a plane on a rail that has no length).
 Result<Stand> standOf(const Plane& plane, const Rail& rail);
 
+/// The same for several planes, which have the rail's line made once.
+Result<std::vector<Stand>> standsOf(const std::vector<Plane>& planes, const Rail& rail);
+
 /// Length of the rail's line, picture pixels; 0 where it has none.
 double lengthOf(const Rail& rail);
 

@@ -27,13 +27,14 @@ constexpr double kFlat = 0.5;  // sine of the angle from which a sheet is seen w
 
 std::optional<Sheet> sheetOf(Env env) { return shownSheet(env.studio.document(), env.ui); }
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }
-bool sheetIsShown(Env env) { return sheetOf(env).has_value(); }
+std::optional<Sheet> placeOf(Env env) { return shownPlace(env.studio.document(), env.ui); }
+bool sheetIsShown(Env env) { return placeOf(env).has_value(); }
 bool onLayer(Env env) {
-  const auto sheet = sheetOf(env);
+  const auto sheet = placeOf(env);
   return sheet && sheet->layer;
 }
 bool canCopy(Env env) {
-  const auto sheet = sheetOf(env);
+  const auto sheet = placeOf(env);
   return sheet && traceOf(*sheet) != nullptr;
 }
 const document::StackRecipe* layersOf(const document::Part* part) {
@@ -44,7 +45,7 @@ bool hasLayers(Env env) { return layersOf(chosen(env)) != nullptr; }
 bool canRepeat(Env env) { return hasLayers(env) && repeatsOf(*layersOf(chosen(env))); }
 bool hasWalls(Env env) { return hasLayers(env) && wallOf(*layersOf(chosen(env))); }
 bool onRail(Env env) {
-  const auto sheet = sheetOf(env);
+  const auto sheet = placeOf(env);
   return sheet && sheet->onRail();
 }
 bool railIsDrawn(Env env) { return drawsRail(env.studio.document(), env.ui); }
@@ -114,8 +115,11 @@ std::vector<document::Action> actionsTo(const document::Part& part, const docume
   stack::StackParams single = to.stack;
   single.patterns.clear();
   if (from.stack != single) actions.push_back(document::ShapeStack{part.id, single});
-  if (from.rail != to.rail) actions.push_back(document::SetRail{part.id, to.rail});
+  // On a rail that was closed the last layer may have links; layers that come onto a rail need one.
+  const bool railFirst = from.rail.points.empty();
+  if (railFirst && from.rail != to.rail) actions.push_back(document::SetRail{part.id, to.rail});
   if (from.planes != to.planes) actions.push_back(document::SetPlanes{part.id, to.planes});
+  if (!railFirst && from.rail != to.rail) actions.push_back(document::SetRail{part.id, to.rail});
   if (single != to.stack) actions.push_back(document::ShapeStack{part.id, to.stack});
   return actions;
 }
@@ -161,7 +165,7 @@ Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double a
     takeMade(env, standing);
     env.ui.framePending = false;  // the sheet stays as it is seen, where there is room
   }
-  env.ui.layers = {env.ui.selection, at, env.ui.layers.turn};
+  env.ui.layers = {env.ui.selection, at, env.ui.layers.part == part ? env.ui.layers.turn : geometry::Turn{}};
   if (const auto sheet = sheetOf(env); sheet && !part) bringInSight(env, *sheet, true);
   return {};
 }
@@ -268,7 +272,10 @@ Outcome railThrough(Env env, const Json& args, const Json& points) {
   }
   if (rail.points.size() < 2) return missing("points: two or more [x, y, z] in picture pixels");
   if (!stack::isValid(rail)) return refuse({Error::ValueOutOfRange, "points"});
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed { return withRail(layers, rail); });
+  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
+    if (layers.rail.points.empty()) return {Error::StackInvalid, kNoRail};
+    return withRail(layers, rail);
+  });
 }
 
 Outcome railRow(Env env, const Json& args) {
@@ -339,10 +346,10 @@ Outcome leanRow(Env env, const Json& args) {
   if (!sheet) return noSheet();
   if (!sheet->onRail()) return refuse({Error::StackInvalid, kNoRail});
   Lean lean = leanOf(*sheet);
-  lean.front = args.number("front").value_or(lean.front);
-  lean.side = args.number("side").value_or(lean.side);
-  if (!(std::abs(lean.front) <= kMostLean && std::abs(lean.side) <= kMostLean)) {
-    return refuse({Error::ValueOutOfRange, "lean"});
+  for (const auto& [key, way] : {std::pair{"front", &Lean::front}, {"side", &Lean::side}}) {
+    const auto degrees = args.number(key);
+    if (degrees && !(std::abs(*degrees) <= kMostLean)) return refuse({Error::ValueOutOfRange, key});
+    lean.*way = degrees.value_or(lean.*way);
   }
   return leanSheet(env, turnFor(*sheet, lean));
 }
@@ -469,7 +476,7 @@ Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {
   const bool placed = env.ui.layers.part == id;
   const auto sheet = sheetFor(env.studio.document(), id, {}, placed ? env.ui.layers.at : std::nullopt);
   if (!sheet) return noSheet();
-  const double at = sheet->onRail() && sheet->layer ? recipe.planes[*sheet->layer].at : sheet->at;
+  const double at = sheet->layer && !recipe.rail.points.empty() ? recipe.planes[*sheet->layer].at : sheet->at;
   return keep(env, id, recipe, at);
 }
 
@@ -491,25 +498,30 @@ Outcome moveSheet(Env env, double at) {
 Outcome leanSheet(Env env, const geometry::Turn& turn) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
-  env.ui.layers.turn = turn;
-  return sheet->layer ? keep(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
+  placeSheet(env.ui, *sheet, sheet->at);
+  const Outcome kept = sheet->layer ? keep(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
+  if (kept) env.ui.layers.turn = turn;
+  return kept;
 }
 
 Outcome drawRail(Env env, PartId id) {
-  const document::StackRecipe* layers = layersOf(document::findPart(env.studio.document(), id));
+  const document::Part* part = document::findPart(env.studio.document(), id);
+  const document::StackRecipe* layers = layersOf(part);
   if (layers == nullptr) return refuse({Error::NotAStack, {}});
   if (layers->rail.points.empty()) return refuse({Error::StackInvalid, kNoRail});
+  if (!part->visible) return refuse({Error::StackInvalid, "it is hidden: show it first"});
   if (railIsDrawn(env) && env.ui.layers.part == id) {
     env.ui.layers.drawsRail = false;
     return {};
   }
   const auto shown = sheetOf(env);
   const auto at = shown && shown->part == id ? std::optional(shown->at) : std::nullopt;
-  env.ui.selection = id;
-  env.ui.tool = ToolKind::Layers;
-  env.ui.focus = Focus::Solid;
   const auto sheet = sheetAt(env, id, at);
   if (!sheet) return noSheet();
+  env.ui.selection = id;
+  env.ui.tool = ToolKind::Layers;
+  env.ui.redraw = env.ui.pointsOf = {};
+  env.ui.focus = Focus::Solid;
   placeSheet(env.ui, *sheet, sheet->at);
   env.ui.layers.drawsRail = true;
   sendStatus(env.host, "Draw the line that the layers follow. Over another part it lies on its surface.");

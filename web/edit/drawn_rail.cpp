@@ -16,7 +16,7 @@ constexpr double kSpacing = 28, kLeastLength = 24;  // CSS pixels between the ra
 constexpr std::size_t kLeastPoints = 4, kMostPoints = 32;
 constexpr std::size_t kFiner = 8;                   // points of the line to one of the rail: the hand's tremor goes
 constexpr double kStraight = 0.992, kClosed = 0.1;  // chord to length; gap to length
-constexpr double kLift = 0.8, kBend = 1.2;          // of the mean radius of the layers
+constexpr double kLift = 0.8, kBend = 1.2, kRounder = 1.05;  // of the mean radius of the layers
 
 /// The line without tremor, evenly spaced.
 std::vector<ClientPoint> steadied(std::span<const ClientPoint> line, std::size_t count, bool closed) {
@@ -52,7 +52,16 @@ ModelPoint middleOf(const stack::Rail& rail) {
   return sum / static_cast<double>(std::max<std::size_t>(rail.points.size(), 1));
 }
 
-/// Evens a line out until no bend of it is tighter than a radius, as far as that goes with its ends in place.
+/// How far its points are from their middle, on average.
+double meanReach(const stack::Rail& rail) {
+  const ModelPoint middle = middleOf(rail);
+  double sum = 0;
+  for (const ModelPoint p : rail.points) sum += distance(p, middle);
+  return sum / static_cast<double>(rail.points.size());
+}
+
+/// Evens a line out until no bend of it is tighter than a radius, as far as that goes with its ends in place; a closed
+/// one keeps its size, or has the least that such bends need.
 void widenBends(stack::Rail& rail, double radius) {
   constexpr int kMostPasses = 60;
   std::vector<ModelPoint>& p = rail.points;
@@ -63,12 +72,18 @@ void widenBends(stack::Rail& rail, double radius) {
     const double sides = distance(a, b) * distance(b, c) * distance(c, a);
     return 2 * norm(cross(b - a, c - b)) * radius > sides;  // of the circle through the three
   };
+  double size = meanReach(rail);
   for (int pass = 0; pass < kMostPasses; ++pass) {
     bool tight = false;
     for (std::size_t i = first; i < last; ++i) tight |= isTight(i);
     if (!tight) return;
     const std::vector<ModelPoint> was = p;
     for (std::size_t i = first; i < last; ++i) p[i] = (was[(i + n - 1) % n] + was[i] * 2 + was[(i + 1) % n]) / 4;
+    if (!rail.closed) continue;
+    size = std::max(size, kRounder * radius);
+    const ModelPoint middle = middleOf(rail);
+    const double larger = size / meanReach(rail);  // evened out it would shrink to a point
+    for (ModelPoint& q : p) q = middle + (q - middle) * larger;
   }
 }
 
@@ -92,7 +107,7 @@ void fillGaps(std::vector<std::optional<double>>& values) {
 
 bool drawsRail(const document::Document& document, const UiState& ui) {
   if (!ui.layers.drawsRail) return false;
-  const auto sheet = shownSheet(document, ui);
+  const auto sheet = shownPlace(document, ui);
   return sheet && sheet->part && sheet->part == ui.layers.part && sheet->onRail();
 }
 

@@ -43,6 +43,14 @@ double reachOf(const StackRecipe& recipe) {
   return reach;
 }
 
+/// Layers, as often as they stand there, as far apart as there is room.
+StackRecipe spread(StackRecipe recipe) {
+  if (!stack::canRepeat(recipe.planes, recipe.rail, recipe.stack.patterns)) return recipe;
+  const std::uint32_t times = stack::timesOf(recipe.planes, recipe.stack.patterns);
+  stack::repeatAll({recipe.planes, recipe.rail, recipe.stack.patterns}, times);
+  return recipe;
+}
+
 }  // namespace
 
 std::optional<RailShape> railShapeOf(const stack::Rail& rail) {
@@ -60,11 +68,7 @@ StackRecipe withRail(const StackRecipe& recipe, const stack::Rail& rail) {
   StackRecipe out = recipe;
   out.rail = rail;
   if (!rail.closed && !out.planes.empty()) out.planes.back().links.clear();  // nothing follows it
-  if (stack::canRepeat(out.planes, out.rail, out.stack.patterns)) {
-    const std::uint32_t times = stack::timesOf(out.planes, out.stack.patterns);
-    stack::repeatAll({out.planes, out.rail, out.stack.patterns}, times);
-  }
-  return out;
+  return rail.closed || !out.stack.patterns.empty() ? spread(std::move(out)) : out;
 }
 
 StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
@@ -103,7 +107,7 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
       break;
     }
   }
-  return withRail(recipe, rail);
+  return spread(withRail(recipe, rail));
 }
 
 Result<StackRecipe> withRailThroughMiddles(const StackRecipe& recipe) {
@@ -175,8 +179,9 @@ StackRecipe withOpenLines(const StackRecipe& recipe, stack::CurveUse use, double
   });
   if (base >= low) base = low - std::max(kLeastGround * reachOf(recipe), high - low);
   each([&](stack::Curve& curve) {
+    if (curve.as == use) return;
     if (use == stack::CurveUse::Ground) curve.base = base;
-    if (use == stack::CurveUse::Ribbon && curve.as != use) curve.width = wall;
+    if (use == stack::CurveUse::Ribbon) curve.width = wall;
     curve.as = use;
   });
   return out;

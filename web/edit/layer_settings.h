@@ -27,7 +27,8 @@ std::optional<RailShape> railShapeOf(const stack::Rail& rail);
 /// The layers on a ready rail about the middle of their own, as far apart as there is room; straight ones are as long
 /// as the largest side of what they replace.
 document::StackRecipe withRail(const document::StackRecipe& recipe, RailShape shape);
-/// The layers at the same shares of another rail, with as many repeats.
+/// The layers at the same shares of another rail; on a closed one, or where they are repeated, as far apart as there is
+/// room.
 document::StackRecipe withRail(const document::StackRecipe& recipe, const stack::Rail& rail);
 /// On the rail through the middles of the layers, which stay where they are. Errors: those of stack::ontoCentres;
 /// StackInvalid where layers are repeated.
@@ -47,8 +48,8 @@ document::StackRecipe withBumps(const document::StackRecipe& recipe, const stack
 
 /// What becomes of lines that stay open; none without one.
 std::optional<stack::CurveUse> openLinesOf(const document::StackRecipe& recipe);
-/// All of them become walls (those that were none `wall` picture pixels wide) or ground, filled down to one line: that
-/// of the ground that there is, or, where a line goes below it, one below the lowest of them.
+/// All of them become walls, `wall` picture pixels wide, or ground, filled down to the lowest line of the ground that
+/// there is, or, where one goes below that, to one below all of them. What is so already stays as it is.
 document::StackRecipe withOpenLines(const document::StackRecipe& recipe, stack::CurveUse use, double wall);
 
 /// Width of the first wall, picture pixels; none without one.

@@ -27,6 +27,7 @@ constexpr double kSame = 0.006;                      // of the rail: a sheet so 
 constexpr double kApart = 0.01;                      // of the rail: no layer is moved nearer to another
 constexpr double kOpenGap = 0.5;                     // of a line's length between its ends: it is not meant to close
 constexpr double kNewWall = 0.12;                    // width of a wall, of the sheet's half side
+constexpr double kLeastGround = 0.1;                 // of the sheet's half side: ground below its line
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// Upright in the middle of the picture.
@@ -50,24 +51,29 @@ double reachOf(const stack::Plane& plane) {
   return reach;
 }
 
-/// Stands the sheet where `at` says, or on the nearest layer.
-bool stand(Sheet& sheet) {
+/// Puts the sheet where `at` says, or on the nearest layer. False: there is none to put it on.
+bool place(Sheet& sheet) {
   const std::vector<stack::Plane>& planes = sheet.recipe.planes;
-  stack::Plane plane;
-  plane.turn = sheet.turn;
+  sheet.at = std::clamp(sheet.at, 0.0, mostAt(sheet));
   if (sheet.onRail()) {
-    sheet.at = std::clamp(sheet.at, 0.0, mostAt(sheet));
-    plane.at = std::min(sheet.at, 1.0);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       if (isOn(sheet, planes[i])) sheet.layer = i;
     }
   } else {
     if (planes.empty()) return false;
-    sheet.layer = static_cast<std::size_t>(std::lround(std::clamp(sheet.at, 0.0, mostAt(sheet))));
+    sheet.layer = static_cast<std::size_t>(std::lround(sheet.at));
     sheet.at = static_cast<double>(*sheet.layer);
   }
-  if (sheet.layer) plane = planes[*sheet.layer];
-  sheet.turn = plane.turn;
+  if (sheet.layer) sheet.turn = planes[*sheet.layer].turn;
+  return true;
+}
+
+/// Stands it up there.
+bool stand(Sheet& sheet) {
+  stack::Plane plane;
+  plane.at = std::min(sheet.at, 1.0);
+  plane.turn = sheet.turn;
+  if (sheet.layer) plane = sheet.recipe.planes[*sheet.layer];
   const Result<stack::Stand> stood = stack::standOf(plane, sheet.recipe.rail);
   if (!stood) return false;
   sheet.stand = stood.value();
@@ -129,10 +135,53 @@ Round roundOn(const Sheet& sheet) {
   return round;
 }
 
-/// Open lines that were drawn become what those of the part are.
-StackRecipe asOpenLines(const Sheet& sheet, const StackRecipe& recipe) {
-  if (openLinesOf(sheet.recipe) != stack::CurveUse::Ground) return recipe;
-  return withOpenLines(recipe, stack::CurveUse::Ground, 0);
+/// The foot of new ground on the sheet: where that of the part's first ground is in space, but below the line.
+double footFor(const Sheet& sheet, const stack::Curve& line) {
+  const auto byHeight = [](SectionPoint a, SectionPoint b) { return a.y < b.y; };
+  const double low = std::ranges::min_element(line.through, byHeight)->y;
+  double foot = low;
+  const auto stands = stack::standsOf(sheet.recipe.planes, sheet.recipe.rail);
+  for (std::size_t i = 0; stands && i < sheet.recipe.planes.size(); ++i) {
+    const auto& curves = sheet.recipe.planes[i].curves;
+    const auto ground = std::ranges::find(curves, stack::CurveUse::Ground, &stack::Curve::as);
+    if (ground == curves.end()) continue;
+    const SectionPoint under{ground->through.front().x, ground->base};
+    foot = sheet.stand.in(stands.value()[i].at(under)).y;
+    break;
+  }
+  return foot < low ? foot : low - kLeastGround * sheet.half;
+}
+
+std::optional<Sheet> placedSheet(const document::Document& document, PartId id, PictureId picture,
+                                 std::optional<double> at, const geometry::Turn& turn) {
+  const document::Part* part = document::findPart(document, id);
+  if (id && (part == nullptr || document::stackOf(*part) == nullptr)) return std::nullopt;
+  const document::PictureEntry* entry = document::findPicture(document, part ? document::pictureOf(*part) : picture);
+  if (entry == nullptr) return std::nullopt;
+  Sheet sheet;
+  sheet.recipe.picture = entry->id;
+  sheet.recipe.rail = railOn(entry->size);
+  sheet.recipe.stack.melt = kNewMelt;
+  if (part != nullptr) {
+    sheet.part = part->id;
+    sheet.recipe = *document::stackOf(*part);
+    if (!sheet.recipe.planes.empty()) sheet.at = sheet.onRail() ? sheet.recipe.planes.back().at : mostAt(sheet);
+  }
+  if (at) sheet.at = *at;
+  sheet.turn = turn;
+  return place(sheet) ? std::optional(std::move(sheet)) : std::nullopt;
+}
+
+/// What `make` gives for the part in hand, else for the next one.
+std::optional<Sheet> ofShown(const document::Document& document, const UiState& ui, decltype(placedSheet) make) {
+  if (ui.tool != ToolKind::Layers) return std::nullopt;
+  const document::Part* part = document::findPart(document, ui.selection);
+  const bool ours = part != nullptr && document::stackOf(*part) != nullptr;
+  if (ours && !part->visible) return std::nullopt;
+  const PartId id = ours ? part->id : PartId{};
+  const bool placed = ui.layers.part == id && ui.layers.at;
+  return placed ? make(document, id, ui.picture, ui.layers.at, ui.layers.turn)
+                : make(document, id, ui.picture, std::nullopt, {});
 }
 
 }  // namespace
@@ -149,46 +198,39 @@ double mostAt(const Sheet& sheet) {
 
 std::optional<Sheet> sheetFor(const document::Document& document, PartId id, PictureId picture,
                               std::optional<double> at, const geometry::Turn& turn) {
-  const document::Part* part = document::findPart(document, id);
-  if (id && (part == nullptr || document::stackOf(*part) == nullptr)) return std::nullopt;
-  const document::PictureEntry* entry = document::findPicture(document, part ? document::pictureOf(*part) : picture);
-  if (entry == nullptr) return std::nullopt;
-  Sheet sheet;
-  sheet.recipe.picture = entry->id;
-  sheet.recipe.rail = railOn(entry->size);
-  sheet.recipe.stack.melt = kNewMelt;
-  if (part != nullptr) {
-    sheet.part = part->id;
-    sheet.recipe = *document::stackOf(*part);
-    if (!sheet.recipe.planes.empty()) sheet.at = sheet.onRail() ? sheet.recipe.planes.back().at : mostAt(sheet);
-  }
-  if (at) sheet.at = *at;
-  sheet.turn = turn;
-  if (!stand(sheet)) return std::nullopt;
-  sheet.half = kNewHalf * std::min(entry->size.width, entry->size.height);
-  for (std::size_t i = 0; i < sheet.recipe.planes.size(); ++i) {
-    if (sheet.onRail() || i == sheet.layer) {
-      sheet.half = std::max(sheet.half, kMargin * reachOf(sheet.recipe.planes[i]));
+  std::optional<Sheet> sheet = placedSheet(document, id, picture, at, turn);
+  if (!sheet || !stand(*sheet)) return std::nullopt;
+  const image::Size size = document::findPicture(document, sheet->recipe.picture)->size;
+  sheet->half = kNewHalf * std::min(size.width, size.height);
+  for (std::size_t i = 0; i < sheet->recipe.planes.size(); ++i) {
+    if (sheet->onRail() || i == sheet->layer) {
+      sheet->half = std::max(sheet->half, kMargin * reachOf(sheet->recipe.planes[i]));
     }
   }
   return sheet;
 }
 
+std::optional<Sheet> shownPlace(const document::Document& document, const UiState& ui) {
+  return ofShown(document, ui, placedSheet);
+}
+
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui) {
-  if (ui.tool != ToolKind::Layers) return std::nullopt;
-  const document::Part* part = document::findPart(document, ui.selection);
-  const bool ours = part != nullptr && document::stackOf(*part) != nullptr;
-  if (ours && !part->visible) return std::nullopt;
-  const PartId id = ours ? part->id : PartId{};
-  const bool placed = ui.layers.part == id && ui.layers.at;
-  return placed ? sheetFor(document, id, ui.picture, ui.layers.at, ui.layers.turn)
-                : sheetFor(document, id, ui.picture, std::nullopt);
+  return ofShown(document, ui, sheetFor);
+}
+
+std::optional<Sheet> sheetInHand(const document::Document& document, const UiState& ui) {
+  std::optional<Sheet> sheet = shownSheet(document, ui);
+  if (!sheet || !sheet->layer || !ui.preview || ui.preview->part != sheet->part) return sheet;
+  const auto* moved = std::get_if<StackRecipe>(&ui.preview->recipe);
+  if (moved == nullptr || *sheet->layer >= moved->planes.size()) return sheet;
+  const Result<stack::Stand> stand = stack::standOf(moved->planes[*sheet->layer], moved->rail);
+  if (stand) sheet->stand = stand.value();
+  return sheet;
 }
 
 void placeSheet(UiState& ui, const Sheet& sheet, double at) {
-  ui.layers.part = sheet.part;
+  if (ui.layers.part != sheet.part || !ui.layers.at) ui.layers = {sheet.part};
   ui.layers.at = std::clamp(at, 0.0, mostAt(sheet));
-  ui.layers.turn = sheet.turn;
 }
 
 pipeline::ToWorld sheetInWorld(const document::Document& document, const pipeline::Derived& derived, const UiState& ui,
@@ -235,8 +277,13 @@ Lean leanOf(const Sheet& sheet) {
 }
 
 geometry::Turn turnFor(const Sheet& sheet, const Lean& lean) {
-  const auto radians = [](double degrees) { return std::clamp(degrees, -kMostLean, kMostLean) * kDegree; };
-  return geometry::turnOf({-radians(lean.front), radians(lean.side), geometry::anglesOf(sheet.turn).roll});
+  const Lean now = leanOf(sheet);  // of a recipe it may be more than a hand leans it
+  const auto radians = [](double degrees, double before) {
+    const double most = std::max(kMostLean, std::abs(before));
+    return std::clamp(degrees, -most, most) * kDegree;
+  };
+  const double roll = geometry::anglesOf(sheet.turn).roll;
+  return geometry::turnOf({-radians(lean.front, now.front), radians(lean.side, now.side), roll});
 }
 
 StackRecipe withTurn(const Sheet& sheet, const geometry::Turn& turn) {
@@ -268,8 +315,9 @@ Result<std::vector<stack::Curve>> curvesOf(const Sheet& sheet, std::span<const S
     }
     if (open) {
       curve.open = true;
-      curve.as = stack::CurveUse::Ribbon;
-      curve.width = newWallOf(sheet);
+      curve.as = openLinesOf(sheet.recipe).value_or(stack::CurveUse::Ribbon);
+      if (curve.as == stack::CurveUse::Ribbon) curve.width = newWallOf(sheet);
+      if (curve.as == stack::CurveUse::Ground) curve.base = footFor(sheet, curve);
     }
     curves.push_back(std::move(curve));
   }
@@ -321,7 +369,7 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
     countIn(recipe, own);
     recipe.planes[own].curves = curves;  // it follows the one before from now on
     dropLinksTo(recipe, own);
-    return asOpenLines(sheet, recipe);
+    return recipe;
   }
   std::vector<Points> outlines;
   for (const stack::Curve& curve : curves) outlines.push_back(stack::outlineOf(curve));
@@ -332,7 +380,7 @@ StackRecipe withCurves(const Sheet& sheet, std::vector<stack::Curve> curves) {
     if (std::ranges::any_of(outlines, meets)) dropCurve(recipe, own, i);
   }
   for (stack::Curve& curve : curves) kept.push_back(std::move(curve));
-  return asOpenLines(sheet, recipe);
+  return recipe;
 }
 
 StackRecipe withMovedLayer(const Sheet& sheet, double to) {

@@ -33,7 +33,12 @@ std::optional<Sheet> sheetFor(const document::Document& document, PartId part, P
                               std::optional<double> at, const geometry::Turn& turn = {});
 /// The one that is seen: none without the tool, or for a part that is hidden.
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
-/// Takes it to another place, leaning as it does.
+/// The same without where it stands and how large it is, which takes longer than all else: for what is asked for in
+/// every frame.
+std::optional<Sheet> shownPlace(const document::Document& document, const UiState& ui);
+/// The same where a gesture in hand has it: it goes with the layer that it lies on.
+std::optional<Sheet> sheetInHand(const document::Document& document, const UiState& ui);
+/// Takes it to another place; off the layers it leans as it was leaned last.
 void placeSheet(UiState& ui, const Sheet& sheet, double at);
 /// The farthest place: straight rails of new layers grow with the sheet to kMostGrowth times their length; where layers
 /// are repeated, the end of their first run.

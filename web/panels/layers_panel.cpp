@@ -40,6 +40,7 @@ class Settings {
   }
 
   void way() {
+    if (layers_.rail.points.empty() && layers_.planes.size() < 2) return;
     label(env_.fonts.small, kMuted, "Line of the layers");
     WordButtons buttons(env_, width_);
     const auto now = app::railShapeOf(layers_.rail);
@@ -76,14 +77,18 @@ class Settings {
     const auto sheet = app::shownSheet(env_.document(), env_.ui());
     if (!sheet || sheet->part != part_.id || !sheet->onRail()) return;
     const app::Lean lean = app::leanOf(*sheet);
-    for (const auto& [way, words] :
-         {std::pair{&app::Lean::front, "Sheet leans to the front"}, {&app::Lean::side, "Sheet leans to the side"}}) {
+    struct Way {
+      double app::Lean::* of;
+      const char *id, *words;
+    };
+    for (const auto& [way, id, words] : {Way{&app::Lean::front, "##lean-front", "Sheet leans to the front"},
+                                         {&app::Lean::side, "##lean-side", "Sheet leans to the side"}}) {
       const auto turn = [&, way](double degrees) {
         app::Lean changed = lean;
         changed.*way = degrees;
         return app::turnFor(*sheet, changed);
       };
-      const Setting what{words, words, -app::kMostLean, app::kMostLean, 1, "{n}°", 0};
+      const Setting what{id, words, -app::kMostLean, app::kMostLean, 1, "{n}°", 0};
       if (sheet->layer) {
         const auto shownLean = [&] {
           app::Sheet seen = *sheet;

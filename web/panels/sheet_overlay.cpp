@@ -83,15 +83,15 @@ void paintGround(SheetPainter& paint, const app::Sheet& sheet) {
 /// Curves of the other layers thin, those on the sheet thick, and pale what would be copied to it.
 void paintLayers(SheetPainter& paint, const app::Sheet& sheet, const document::StackRecipe& shown) {
   const ImU32 colour = toolColour(app::ToolKind::Layers);
-  for (std::size_t i = 0; i < shown.planes.size(); ++i) {
+  const auto stands = stack::standsOf(shown.planes, shown.rail);
+  for (std::size_t i = 0; stands && i < shown.planes.size(); ++i) {
     const stack::Plane& plane = shown.planes[i];
-    const Result<stack::Stand> stand = stack::standOf(plane, shown.rail);
-    if (!stand) continue;
+    const stack::Stand& stand = stands.value()[i];
     const bool own = sheet.layer == i && &shown == &sheet.recipe;
     for (const stack::Curve& curve : plane.curves) {
       const std::vector<SectionPoint> outline = stack::outlineOf(curve);
-      if (own) paint.line(stand.value(), outline, {faded(kHalo, 220), 6});
-      paint.line(stand.value(), outline, {faded(colour, own ? 255 : 150), own ? 3.f : 1.5f});
+      if (own) paint.line(stand, outline, {faded(kHalo, 220), 6});
+      paint.line(stand, outline, {faded(colour, own ? 255 : 150), own ? 3.f : 1.5f});
     }
   }
   if (sheet.layer) return;
@@ -134,16 +134,15 @@ void paintLeanHandle(ImDrawList& list, ImVec2 at, ImVec2 from, float radius) {
 
 void paintKnobs(SheetPainter& paint, const app::Sheet& sheet, const app::UiState& ui) {
   if (!sheet.onRail()) return;
-  const auto isHot = [&](app::SheetHold hold, int joint) {
-    return ui.layers.held == hold || (ui.hover.sheet == hold && ui.hover.joint == joint);
-  };
+  const auto isHot = [&](app::SheetHold hold, int joint) { return ui.hover.sheet == hold && ui.hover.joint == joint; };
   const auto middle = paint.at(sheet.stand.origin);
   for (int i = 0; middle && i < static_cast<int>(app::kLeans.size()); ++i) {
     const auto at = paint.at(app::leanKnobOf(sheet, app::kLeans[static_cast<std::size_t>(i)]));
     if (at) paintLeanHandle(paint.list(), *at, *middle, isHot(app::SheetHold::Lean, i) ? 12.f : 10.f);
   }
   if (const auto at = paint.at(app::knobOf(sheet))) {
-    paintHandle(paint.list(), *at, isHot(app::SheetHold::Knob, -1) ? 13.f : 11.f);
+    paintHandle(paint.list(), *at,
+                ui.layers.held == app::SheetHold::Knob || isHot(app::SheetHold::Knob, -1) ? 13.f : 11.f);
   }
 }
 
@@ -229,7 +228,7 @@ void layerSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
 
 void drawSheet(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
-  auto sheet = app::shownSheet(env.document(), ui);
+  const auto sheet = app::sheetInHand(env.document(), ui);
   if (!sheet) return;
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document(), env.derived, ui, *sheet);
   const app::Rect& view = ui.layout.solid;
@@ -241,9 +240,6 @@ void drawSheet(const PanelEnv& env) {
     paintRail(paint.list(), ui.layers.rail);
     paint.list().PopClipRect();
     return;
-  }
-  if (moved && sheet->layer && *sheet->layer < moved->planes.size()) {  // it goes with the layer
-    if (const auto stand = stack::standOf(moved->planes[*sheet->layer], moved->rail)) sheet->stand = stand.value();
   }
   paintGround(paint, *sheet);
   paintLayers(paint, *sheet, moved ? *moved : sheet->recipe);

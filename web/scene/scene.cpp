@@ -10,6 +10,7 @@
 #include "engine/base/hash.h"
 #include "engine/mesh/laws.h"
 #include "engine/publish/publish.h"
+#include "web/edit/drawn_rail.h"
 #include "web/edit/hollowing.h"
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
@@ -51,8 +52,8 @@ struct Cut {
 };
 
 std::optional<Cut> cutOf(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
-  const std::optional<Sheet> sheet = shownSheet(document, ui);
-  if (!sheet) return std::nullopt;
+  const std::optional<Sheet> sheet = sheetInHand(document, ui);
+  if (!sheet || drawsRail(document, ui)) return std::nullopt;
   constexpr double kLeast = 0.02;  // of the sheet's half side
   const pipeline::ToWorld toWorld = sheetInWorld(document, derived, ui, *sheet);
   const WorldPoint at = toWorld(sheet->stand.origin);

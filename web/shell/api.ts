@@ -354,11 +354,11 @@ export interface State {
      * Which curves of a layer and the next become each other, or might, beside the sheet, where a layer has several: `of`: layer, curve, curve of the next; a tap on its mark changes it.
      */
     links: { of: [number, number, number]; on: boolean; mark: [number, number] | null }[];
-    /** Where a curve of a layer (`of`: layer, curve) parts into several of the next (`up`) or several of the one before join into it: `at`, 0…1 of the way to them. */
     /** Degrees by which its edges to the viewer and to the right are ahead along the rail, and the knobs that lean it; `drawsRail`: the next line in the solid view becomes the rail. */
     lean: { front: number; side: number };
     leanKnobs: ([number, number] | null)[];
     drawsRail: boolean;
+    /** Where a curve of a layer (`of`: layer, curve) parts into several of the next (`up`) or several of the one before join into it: `at`, 0…1 of the way to them. */
     forks: { of: [number, number]; up: boolean; at: number; knob: [number, number] | null }[];
   } | null;
   /** What the tool 'bone' can take hold of on a puff with a slice, in CSS pixels of the canvas: ends and forks, knobs for its thickness, places of slices, bones, and those left out. */

@@ -86,7 +86,8 @@ SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
 }
 
 bool wheelSheet(const ToolEnv& env, app::ClientPoint at, double by) {
-  if (gripAt(env, {at}).hold == SheetHold::Nothing) return false;
+  const SheetHold under = gripAt(env, {at}).hold;
+  if (under == SheetHold::Nothing || under == SheetHold::Rail) return false;
   constexpr double kPerPixel = 0.0004;  // of the rail: a notch of a wheel is 0.04 of it
   const auto sheet = app::shownSheet(env.document, env.ui);
   const double way = sheet->onRail() ? -by * kPerPixel : by < 0 ? 1 : -1;
@@ -140,8 +141,11 @@ void SheetTool::lean(const ToolEnv& env, const ToolEvent& event) {
   app::Lean lean = app::leanOf(sheet_);
   lean.*way += way == &app::Lean::side ? -by : by;  // its knob is at the left edge
   turn_ = app::turnFor(sheet_, lean);
-  env.ui.layers.turn = turn_;
-  if (sheet_.layer) show(env, app::withTurn(sheet_, turn_));
+  if (sheet_.layer) {
+    show(env, app::withTurn(sheet_, turn_));
+  } else {
+    env.ui.layers.turn = turn_;
+  }
 }
 
 void SheetTool::drawRail(const ToolEnv& env, const ToolEvent& event) {
@@ -210,7 +214,7 @@ void SheetTool::commit(const ToolEnv& env) {
 
 void SheetTool::cancel(const ToolEnv& env) {
   if (grip_.hold == SheetHold::Knob) env.ui.layers.at = before_;
-  if (grip_.hold == SheetHold::Lean) env.ui.layers.turn = sheet_.turn;
+  if (grip_.hold == SheetHold::Lean && !sheet_.layer) env.ui.layers.turn = sheet_.turn;
   env.ui.layers.line.clear();
   env.ui.layers.rail.clear();
   env.ui.layers.held = SheetHold::Nothing;

@@ -165,7 +165,7 @@ enum class GizmoHandle : std::uint8_t {
 enum class SheetHold : std::uint8_t {
   Nothing,
   Knob,
-  Lean,  ///< the tip of the stick that stands on it
+  Lean,  ///< a knob that leans it
   Sheet,
   Rail,  ///< a line drawn from here is the rail
   Link,  ///< the mark of two curves that become each other, or might
@@ -184,7 +184,7 @@ struct Hover {
   GizmoHandle gizmo = GizmoHandle::None;
   std::optional<OutlinePoint> outline;  ///< of the selected part that is made of a region
   SheetHold sheet = SheetHold::Nothing;
-  int joint = -1;                    ///< which link or fork that is (see jointsOf)
+  int joint = -1;                    ///< which link, fork (see jointsOf) or way to lean (kLeans) that is
   int bone = -1;                     ///< of boneHandles of the selected puff
   int axis = -1;                     ///< an end of the axis that is shown, 0 or 1
   int shape = -1;                    ///< of shapeHandles of the shape in hand
@@ -300,9 +300,9 @@ struct Flash {
 struct LayerUi {
   PartId part;                          ///< whose sheet it is; none: of the next part
   std::optional<double> at = {};        ///< none: where sheets begin
-  geometry::Turn turn = {};             ///< of a sheet that lies on no layer: from how it stands on the rail
+  geometry::Turn turn = {};             ///< of a sheet that lies on no layer, from how it would stand on the rail
   std::vector<SectionPoint> line = {};  ///< that is being drawn on it
-  SheetHold held = SheetHold::Nothing;  ///< its knob or its stick
+  SheetHold held = SheetHold::Nothing;  ///< one of its knobs
   bool drawsRail = false;               ///< the next line in the solid view is the rail
   std::vector<ClientPoint> rail = {};   ///< that line
 };

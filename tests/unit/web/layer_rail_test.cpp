@@ -157,6 +157,89 @@ TEST_CASE(
   CHECK(distance(rig.onCanvas(0, 0), path.front()) < 3);
 }
 
+TEST_CASE("a closed line that is too small for its layers is as large as they need, and not a point") {
+  Paper rig;
+  rig.circle(0, 0, 0.5);
+  const double half = *rig.sheet().number("half");
+  for (const double pixels : {25.0, 60.0}) {
+    REQUIRE(rig.works("layer-rail", R"({"rail": "draw"})"));
+    const app::ClientPoint middle = rig.onCanvas(0, 0);
+    std::vector<app::ClientPoint> round;
+    for (int i = 0; i <= 60; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 60;
+      round.push_back(middle + app::ClientPoint{pixels * std::cos(angle), pixels * std::sin(angle)});
+    }
+    drag(rig, round);
+    const stack::Rail rail = layersOf(rig).rail;
+    REQUIRE(rail.closed);
+    const ModelPoint across = rail.points[rail.points.size() / 2] - rail.points[0];
+    CHECK(norm(across) > 2 * 0.45 * half);
+    CHECK(makesSolid(rig, layersOf(rig)));
+    REQUIRE(rig.works("undo"));
+  }
+}
+
+TEST_CASE("layers keep their shares of an open line, and a ring whose last layer is linked with the first opens") {
+  Paper rig;
+  rig.circle(0, 0, 0.15);
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
+  rig.circle(-0.4, 0, 0.1);
+  rig.circle(0.4, 0, 0.1);
+  const document::StackRecipe before = layersOf(rig);
+  REQUIRE(before.planes.size() == 2);
+  for (const char* points : {"[[0, 0, 0], [0, 300, 0]]", "[[0, 0, 0], [60, 150, 0], [0, 300, 20]]"}) {
+    REQUIRE(rig.works("layer-rail", std::string(R"({"points": )") + points + "}"));
+    CHECK(layersOf(rig).planes == before.planes);
+    CHECK(layersOf(rig).rail.points.back().y == 300);
+  }
+  REQUIRE(rig.works("layer-rail", R"({"rail": "ring"})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
+  std::size_t last = 0;
+  const app::Json sheet = rig.sheet();
+  const app::Json::Array& links = *sheet.find("links")->array();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (*(*links[i].find("of")->array())[0].number() == 1) last = i;
+  }
+  REQUIRE(rig.works("layer-link", R"({"on": false, "link": )" + std::to_string(last) + "}"));
+  REQUIRE_FALSE(layersOf(rig).planes[1].links.empty());
+  CHECK(rig.works("layer-rail", R"({"rail": "up"})"));
+  CHECK(layersOf(rig).planes[1].links.empty());
+}
+
+TEST_CASE("the drawing of a rail is for one part: another one that is taken in hand ends it") {
+  Paper rig;
+  rig.circle(0, 0, 0.2);
+  REQUIRE(rig.works("new-part"));
+  REQUIRE(rig.works("layers"));
+  rig.circle(0.5, 0, 0.1);
+  REQUIRE(rig.parts() == 2);
+  REQUIRE(rig.works("layer-rail", R"({"rail": "draw"})"));
+  REQUIRE(rig.works("select-part", R"({"id": 1})"));
+  CHECK(rig.sheet().flag("drawsRail") == false);
+  REQUIRE(rig.works("layer-up"));
+  CHECK(rig.sheet().flag("drawsRail") == false);
+  REQUIRE(rig.works("select-part", R"({"id": 2})"));
+  CHECK(rig.sheet().flag("drawsRail") == false);
+  REQUIRE(rig.works("show-part", R"({"part": 2, "visible": false})"));
+  CHECK(rig.fault("layer-rail", R"({"rail": "draw"})") == "StackInvalid");
+}
+
+TEST_CASE("a sheet goes on leaning past a level layer, and that of the next part has a lean of its own") {
+  Paper rig;
+  rig.circle(0, 0, 0.3);
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.6})"));
+  REQUIRE(rig.works("layer-lean", R"({"side": 20})"));
+  const auto side = [&] { return *rig.sheet().find("lean")->number("side"); };
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0})"));
+  CHECK(side() == doctest::Approx(0));  // as its layer
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.8})"));
+  CHECK(side() == doctest::Approx(20));
+  REQUIRE(rig.works("select-part", R"({"id": null})"));  // the sheet of the next part
+  CHECK(side() == doctest::Approx(0));
+  REQUIRE(rig.works("layer-lean", R"({"front": 10})"));
+  CHECK(*rig.sheet().find("lean")->number("front") == doctest::Approx(10));
+}
+
 TEST_CASE("Escape and a second press give the drawing of a rail up, a dot is refused with a sentence") {
   Paper rig;
   rig.circle(0, 0, 0.2);
@@ -279,16 +362,12 @@ TEST_CASE("open lines become ground with one foot, new ones with them, and walls
   REQUIRE(rig.works("layer-rail", R"({"rail": "deep"})"));
   REQUIRE(rig.works("layer-open-lines", R"({"as": "ground"})"));
   line(0.5, 10);
-  line(1, -100);  // below the foot
+  line(1, -300);  // below that foot
   const document::StackRecipe recipe = layersOf(rig);
   REQUIRE(recipe.planes.size() == 3);
-  for (const stack::Plane& plane : recipe.planes) {
-    for (const stack::Curve& curve : plane.curves) {
-      CHECK(curve.as == stack::CurveUse::Ground);
-      CHECK(curve.base == recipe.planes[0].curves[0].base);
-      CHECK(curve.base < -100);
-    }
-  }
+  for (const stack::Plane& plane : recipe.planes) CHECK(plane.curves[0].as == stack::CurveUse::Ground);
+  CHECK(recipe.planes[1].curves[0].base == doctest::Approx(recipe.planes[0].curves[0].base));
+  CHECK(recipe.planes[2].curves[0].base < -300);
   CHECK(makesSolid(rig, recipe));
   REQUIRE(rig.works("layer-open-lines", R"({"as": "wall"})"));
   for (const stack::Plane& plane : layersOf(rig).planes) {
