@@ -13,9 +13,6 @@
 #include "engine/stack/sheets.h"
 
 namespace spineloft::stack {
-namespace {
-
-/// Of the area within the curves, each by itself.
 std::optional<SectionPoint> centreOf(const Plane& plane) {
   SectionPoint sum;
   double whole = 0;
@@ -28,12 +25,14 @@ std::optional<SectionPoint> centreOf(const Plane& plane) {
   return whole > 0 ? std::optional(sum / whole) : std::nullopt;
 }
 
-void moveBy(Plane& plane, SectionPoint by) {
+void moveCurves(Plane& plane, SectionPoint by) {
   for (Curve& curve : plane.curves) {
     for (SectionPoint& p : curve.through) p = p + by;
     curve.base += curve.as == CurveUse::Ground ? by.y : 0;
   }
 }
+
+namespace {
 
 /// What turns `from` so that its directions are those of `to`, in the coordinates of `from`.
 geometry::Turn turnBetween(const Stand& from, const Stand& to) {
@@ -65,7 +64,7 @@ Result<OnRail> ontoCentres(const std::vector<Plane>& planes, const Rail& rail) {
                        (rail.closed && i + 1 == planes.size() && distance(at, out.rail.points.front()) <= kSamePoint);
     if (twice) return {Error::StackInvalid, name + " has its middle where its neighbour has: move one of them"};
     out.rail.points.push_back(at);
-    moveBy(out.planes[i], *centre * -1);
+    moveCurves(out.planes[i], *centre * -1);
   }
   const auto along = RailLine::of(out.rail);
   if (!along) return along.failure();

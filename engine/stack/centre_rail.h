@@ -1,12 +1,18 @@
 // The rail through the centres of what is drawn on the planes of a stack.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/stack/stack_params.h"
 
 namespace spineloft::stack {
+
+/// Centre of area of what a plane's curves enclose, each by itself; none without curves.
+std::optional<SectionPoint> centreOf(const Plane& plane);
+/// Moves the curves in their plane.
+void moveCurves(Plane& plane, SectionPoint by);
 
 /// Planes on a rail of their own.
 struct OnRail {

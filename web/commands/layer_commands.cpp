@@ -538,7 +538,7 @@ Outcome followMiddles(Env env, PartId part) {
 Outcome followRail(Env env, PartId part, const Result<stack::Rail>& rail) {
   const document::StackRecipe* layers = layersOf(document::findPart(env.studio.document(), part));
   if (layers == nullptr) return refuse({Error::NotAStack, {}});
-  return rail ? remakeLayers(env, part, withRail(*layers, rail.value())) : refuse(rail.failure());
+  return rail ? remakeLayers(env, part, withDrawnRail(*layers, rail.value())) : refuse(rail.failure());
 }
 
 Outcome moveLayer(Env env, double at) {

@@ -89,8 +89,8 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
       add(half, 0, 0);
       break;
     case RailShape::Deep:
+      add(0, 0, half);  // up is y on its sheets then
       add(0, 0, -half);
-      add(0, 0, half);
       break;
     case RailShape::Ring: {
       const double radius = std::max(half, bend);
@@ -108,6 +108,19 @@ StackRecipe withRail(const StackRecipe& recipe, RailShape shape) {
     }
   }
   return spread(withRail(recipe, rail));
+}
+
+StackRecipe withDrawnRail(const StackRecipe& recipe, const stack::Rail& rail) {
+  StackRecipe out = recipe;
+  SectionPoint sum;
+  int count = 0;
+  for (const stack::Plane& plane : recipe.planes) {
+    const auto centre = stack::centreOf(plane);
+    sum = sum + centre.value_or(SectionPoint{});
+    count += centre.has_value();
+  }
+  for (stack::Plane& plane : out.planes) stack::moveCurves(plane, sum * (-1.0 / std::max(count, 1)));
+  return withRail(out, rail);
 }
 
 Result<StackRecipe> withRailThroughMiddles(const StackRecipe& recipe) {

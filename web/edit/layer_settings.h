@@ -11,8 +11,8 @@
 
 namespace spineloft::app {
 
-/// Ready rails: straight up, straight across, straight to the viewer, round and closed, and a spring of three rounds
-/// about an upright axis.
+/// Ready rails: straight up, straight across, straight away from the viewer, round and closed, and a spring of three
+/// rounds about an upright axis.
 enum class RailShape : std::uint8_t { Up, Across, Deep, Ring, Spring };
 struct RailShapeName {
   RailShape shape;
@@ -20,7 +20,7 @@ struct RailShapeName {
 };
 inline constexpr std::array kRailShapes = {
     RailShapeName{RailShape::Up, "up", "Up"}, RailShapeName{RailShape::Across, "across", "Across"},
-    RailShapeName{RailShape::Deep, "deep", "To you"}, RailShapeName{RailShape::Ring, "ring", "Ring"},
+    RailShapeName{RailShape::Deep, "deep", "Away"}, RailShapeName{RailShape::Ring, "ring", "Ring"},
     RailShapeName{RailShape::Spring, "spring", "Spring"}};
 /// Which of them a rail is; none for another one.
 std::optional<RailShape> railShapeOf(const stack::Rail& rail);
@@ -30,6 +30,8 @@ document::StackRecipe withRail(const document::StackRecipe& recipe, RailShape sh
 /// The layers at the same shares of another rail; on a closed one, or where they are repeated, as far apart as there is
 /// room.
 document::StackRecipe withRail(const document::StackRecipe& recipe, const stack::Rail& rail);
+/// The same along a line that was drawn: the mean of their middles lies on it, wherever on the sheets they are.
+document::StackRecipe withDrawnRail(const document::StackRecipe& recipe, const stack::Rail& rail);
 /// On the rail through the middles of the layers, which stay where they are. Errors: those of stack::ontoCentres;
 /// StackInvalid where layers are repeated.
 Result<document::StackRecipe> withRailThroughMiddles(const document::StackRecipe& recipe);

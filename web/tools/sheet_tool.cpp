@@ -154,7 +154,7 @@ void SheetTool::drawRail(const ToolEnv& env, const ToolEvent& event) {
   if (distance(event.at, line.back()) < kSpacing || env.picker == nullptr) return;
   line.push_back(event.at);
   rail_ = app::railAlong(env.document, env.derived, env.ui, *env.picker, sheet_, line);
-  if (*rail_) show(env, app::withRail(sheet_.recipe, rail_->value()));
+  if (*rail_) show(env, app::withDrawnRail(sheet_.recipe, rail_->value()));
 }
 
 void SheetTool::raise(const ToolEnv& env, const ToolEvent& event) {

@@ -8,6 +8,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/laws.h"
 #include "engine/mesh/surface_places.h"
+#include "engine/stack/centre_rail.h"
 #include "tests/unit/web/layer_paper.h"
 #include "web/edit/layers.h"
 #include "web/edit/placing.h"
@@ -70,7 +71,8 @@ TEST_CASE("a line drawn across the view is the rail, by each pointer: one step, 
     CHECK(rig.undoSteps() == steps + 1);
     CHECK(rig.sheet().flag("drawsRail") == false);
     const document::StackRecipe after = layersOf(rig);
-    CHECK(after.planes == before.planes);
+    CHECK(after.planes.size() == before.planes.size());
+    CHECK(norm(*stack::centreOf(after.planes[0])) < 0.01);
     REQUIRE(after.rail.points.size() > 3);
     CHECK_FALSE(after.rail.closed);
     CHECK(makesSolid(rig, after));
@@ -238,6 +240,38 @@ TEST_CASE("a sheet goes on leaning past a level layer, and that of the next part
   CHECK(side() == doctest::Approx(0));
   REQUIRE(rig.works("layer-lean", R"({"front": 10})"));
   CHECK(*rig.sheet().find("lean")->number("front") == doctest::Approx(10));
+}
+
+TEST_CASE("layers follow a line with their middle, wherever on the sheet they were drawn") {
+  Paper rig;
+  rig.circle(0.6, -0.5, 0.1);
+  REQUIRE(rig.works("layer-rail", R"({"rail": "draw"})"));
+  const auto path = wave(rig);
+  drag(rig, path);
+  const document::StackRecipe recipe = layersOf(rig);
+  const app::UiState& ui = rig.app->ui();
+  const document::Document document = rig.shared();
+  const pipeline::ToWorld toWorld = *app::shownCopies(ui, *document.parts[0], document.pictures[0]->size).begin();
+  for (const auto& [at, end] : {std::pair{0.0, path.front()}, {1.0, path.back()}}) {
+    stack::Plane plane = recipe.planes.at(0);
+    plane.at = at;
+    const stack::Stand stand = stack::standOf(plane, recipe.rail).value();
+    const auto seen = app::pointOnCanvas(ui.camera, ui.layout.solid, toWorld(stand.at(*stack::centreOf(plane))));
+    REQUIRE(seen);
+    CHECK(distance(*seen, end) < 3);
+  }
+}
+
+TEST_CASE("ground on sheets one behind the other lies below its line") {
+  Paper rig;
+  REQUIRE(rig.works("draw-layer", R"({"at": 0, "line": [[-60, 0], [0, 30], [60, 0]]})"));
+  REQUIRE(rig.works("layer-rail", R"({"rail": "deep"})"));
+  REQUIRE(rig.works("layer-open-lines", R"({"as": "ground"})"));
+  const document::StackRecipe recipe = layersOf(rig);
+  const stack::Stand stand = stack::standOf(recipe.planes[0], recipe.rail).value();
+  CHECK(stand.y.y == doctest::Approx(1));  // up
+  CHECK(stand.x.x == doctest::Approx(1));
+  CHECK(recipe.planes[0].curves[0].base < 0);
 }
 
 TEST_CASE("Escape and a second press give the drawing of a rail up, a dot is refused with a sentence") {
