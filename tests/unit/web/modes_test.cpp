@@ -81,7 +81,7 @@ struct Desk {
     using enum app::ToolKind;
     ui.tool = std::array{Draw, Ribs, Spine, Inflate, Place, Pen, Layers, Primitive, Lines, Pull, Bridge}[rng.below(11)];
     ui.layers = {};
-    if (chance()) {
+    if (rng.below(12) == 0) {
       ui.tool = Layers;
       ui.selection = ui.layers.part = studio.document().parts.back()->id;
       ui.layers.drawsRail = true;
@@ -94,6 +94,11 @@ struct Desk {
     if (rng.below(2) == 0) ui.chosen.shape = 0;
     if (rng.below(2) == 0) ui.chosen.crossing = 0;
     if (rng.below(2) == 0) ui.chosen.pull = 0;
+    if (rng.below(12) == 0) {  // rare otherwise
+      ui.tool = Primitive;
+      ui.selection = studio.document().parts[2]->id;
+      ui.chosen.shape = 0;
+    }
     studio.cancelWork();
     studio.pump();
     vision::CutHints hints;
