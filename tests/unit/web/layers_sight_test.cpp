@@ -84,6 +84,21 @@ TEST_CASE("a sheet at an end of its part or beyond it hides nothing, and neither
   CHECK_FALSE(rig.cut());
 }
 
+TEST_CASE("while a hand lifts the sheet nothing is faint, so that the solid is not drawn anew; then it is again") {
+  Cylinder rig;
+  REQUIRE(rig.cutAt(0.5));
+  const app::Json sheet = *rig.state().find("sheet");
+  const app::Json::Array& knob = *sheet.find("knob")->array();
+  const double x = *knob[0].number(), y = *knob[1].number();
+  rig.pointer(platform::PointerKind::Down, x, y);
+  for (int i = 1; i <= 4; ++i) rig.pointer(platform::PointerKind::Move, x, y - 5 * i);
+  rig.settle();
+  CHECK_FALSE(rig.cut());
+  rig.pointer(platform::PointerKind::Up, x, y - 20);
+  rig.settle();
+  CHECK(rig.cut());
+}
+
 TEST_CASE("small pictures of a model show all of it while its sheet is in its middle") {
   Cylinder rig;
   REQUIRE(rig.cutAt(0.5));
