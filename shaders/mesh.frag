@@ -7,10 +7,13 @@ uniform vec3 colour, second;  // linear; the second one below `split`
 uniform float split;
 uniform int finish;  // 0 plain, 1 clay, 2 glaze, 3 metal
 uniform float textured, glow;
-uniform float side;  // of the plane that is drawn: 0 both, -1 behind it, 1 before it and faint
+#ifdef CUT
+uniform float side;  // of the plane that is drawn: -1 behind it, 1 before it and faint, 2 the depths of that alone
+in float before;
+#endif
 in vec3 eyeNormal, eyePosition;
 in vec2 at;
-in float modelHeight, before;
+in float modelHeight;
 out vec4 result;
 
 vec3 encode(vec3 linear) {
@@ -48,12 +51,14 @@ void main() {
   float soft = max(fwidth(modelHeight), 1e-5);
   vec3 plain = mix(second, colour, smoothstep(split - soft, split + soft, modelHeight));
   vec4 texel = texture(picture, at);
+#ifdef CUT
   float pixel = max(fwidth(before), 1e-7);
   if (side * before < 0.0) discard;
-  if (!gl_FrontFacing) {  // the inside of what is cut open, flat: a section
+  if (side > 1.0 || !gl_FrontFacing) {  // the inside of what is cut open, flat: a section
     result = vec4(encode(colour * 0.72), 1.0);
     return;
   }
+#endif
   vec3 albedo = textured > 0.5 ? mix(plain, decode(texel.rgb), texel.a) : plain;
 
   float up = 0.5 + 0.5 * n.y;
@@ -68,6 +73,10 @@ void main() {
   if (finish != 0) light = ball(n, plain);
   light = mix(light, 1.0 - 0.4 * exp(1.5 - 2.5 * light), step(0.6, light));  // white keeps its shading as well
   light = mix(light, vec3(1.0, 0.62, 0.16), glow * rim * 0.55);
+  float strength = 1.0;
+#ifdef CUT
   if (side < 0.0) light *= mix(0.3, 1.0, smoothstep(0.0, 2.0 * pixel, -before));  // the section's outline
-  result = vec4(encode(clamp(light, 0.0, 1.0)), side > 0.0 ? 0.2 + 0.3 * rim : 1.0);
+  if (side > 0.0) strength = 0.2 + 0.3 * rim;
+#endif
+  result = vec4(encode(clamp(light, 0.0, 1.0)), strength);
 }

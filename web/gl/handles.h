@@ -86,9 +86,10 @@ using Renderbuffer = Handle<RenderbufferTraits>;
 using Framebuffer = Handle<FramebufferTraits>;
 using Program = Handle<ProgramTraits>;
 
-/// Begins to compile and link. `attributes` gives the names of vertex attributes 0, 1, 2 … in order.
+/// Begins to compile and link. `attributes` gives the names of vertex attributes 0, 1, 2 … in order, `define` is a line
+/// put below the first one of both sources.
 Program makeProgram(std::string_view vertexSource, std::string_view fragmentSource,
-                    std::initializer_list<const char*> attributes);
+                    std::initializer_list<const char*> attributes, std::string_view define = {});
 /// Waits for that; the logs are on stderr when it failed. Ask when all programs have been begun: they link side by
 /// side.
 bool isLinked(const Program& program);

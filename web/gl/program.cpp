@@ -1,3 +1,5 @@
+#include <array>
+#include <cstddef>
 #include <cstdio>
 
 #include "web/gl/handles.h"
@@ -5,11 +7,17 @@
 namespace spineloft::gl {
 namespace {
 
-GLuint compile(GLenum kind, std::string_view source) {
+GLuint compile(GLenum kind, std::string_view source, std::string_view define) {
   const GLuint shader = glCreateShader(kind);
-  const char* text = source.data();
-  const auto length = static_cast<GLint>(source.size());
-  glShaderSource(shader, 1, &text, &length);
+  const std::size_t version = source.find('\n') + 1;
+  const std::array pieces{source.substr(0, version), define, source.substr(version)};
+  std::array<const char*, 3> texts{};
+  std::array<GLint, 3> lengths{};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    texts[i] = pieces[i].empty() ? "" : pieces[i].data();
+    lengths[i] = static_cast<GLint>(pieces[i].size());
+  }
+  glShaderSource(shader, 3, texts.data(), lengths.data());
   glCompileShader(shader);
   return shader;
 }
@@ -17,9 +25,9 @@ GLuint compile(GLenum kind, std::string_view source) {
 }  // namespace
 
 Program makeProgram(std::string_view vertexSource, std::string_view fragmentSource,
-                    std::initializer_list<const char*> attributes) {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource);
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentSource);
+                    std::initializer_list<const char*> attributes, std::string_view define) {
+  const GLuint vertex = compile(GL_VERTEX_SHADER, vertexSource, define);
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentSource, define);
   Program program = Program::make();
   glAttachShader(program.name(), vertex);
   glAttachShader(program.name(), fragment);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/image/srgb.h"
@@ -29,17 +30,24 @@ constexpr int kSamples = 4;  ///< of a pixel whose edges are smooth
 
 struct Programs {
   Program background, picture, mesh, floor;
+  Program cut;  ///< `mesh` for meshes with a plane; made when there is one
   bool complete() const { return isLinked(background) && isLinked(picture) && isLinked(mesh) && isLinked(floor); }
   void forget() {
-    for (Program* p : {&background, &picture, &mesh, &floor}) p->forget();
+    for (Program* p : {&background, &picture, &mesh, &floor, &cut}) p->forget();
   }
 };
+
+Program makeMeshProgram(std::string_view define) {
+  return makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"}, define);
+}
+
+bool fades(const SceneMesh& item) { return item.fadeBefore.has_value(); }
 
 Programs makePrograms() {
   Programs out;
   out.background = makeProgram(shaders::kQuadVert, shaders::kBackgroundFrag, {"corner"});
   out.picture = makeProgram(shaders::kQuadVert, shaders::kPictureFrag, {"corner"});
-  out.mesh = makeProgram(shaders::kMeshVert, shaders::kMeshFrag, {"position", "normal", "uv"});
+  out.mesh = makeMeshProgram({});
   out.floor = makeProgram(shaders::kFloorVert, shaders::kFloorFrag, {"corner"});
   return out;
 }
@@ -393,45 +401,52 @@ class WebGlRenderer final : public Renderer {
 
   /// What lies before the planes of meshes, above all else: of each only the nearest surface.
   void drawFaint(const Scene& scene) {
-    if (std::ranges::none_of(scene.meshes, [](const SceneMesh& item) { return item.fadeBefore.has_value(); })) return;
+    if (std::ranges::none_of(scene.meshes, fades)) return;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawMeshes(scene, scene.meshes, Share::Faint);
+    drawShare(scene, scene.meshes, Share::Depths);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    drawMeshes(scene, scene.meshes, Share::Faint);
+    drawShare(scene, scene.meshes, Share::Before);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
   }
 
-  /// Of meshes with a plane: what is not before it, or what is.
-  enum class Share : std::uint8_t { Solid, Faint };
+  /// All but what is faint.
+  void drawMeshes(const Scene& scene, std::span<const SceneMesh> meshes) {
+    drawShare(scene, meshes, Share::Whole);
+    if (std::ranges::any_of(meshes, fades)) drawShare(scene, meshes, Share::Behind);
+  }
 
-  void drawMeshes(const Scene& scene, std::span<const SceneMesh> meshes, Share share = Share::Solid) {
+  /// Meshes without a plane; of those with one what is behind it or before it. The values are the shader's `side`.
+  enum class Share : std::int8_t { Behind = -1, Whole, Before, Depths };
+
+  void drawShare(const Scene& scene, std::span<const SceneMesh> meshes, Share share) {
+    const bool cut = share != Share::Whole;
+    if (cut && !programs_.cut) programs_.cut = makeMeshProgram("#define CUT\n");
     const Mat4 toClip = scene.projection * scene.view;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    const Program& program = programs_.mesh;
+    const Program& program = cut ? programs_.cut : programs_.mesh;
     glUseProgram(program.name());
     glCullFace(GL_BACK);
+    share == Share::Behind ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);  // the inside of an open cut is seen
     glUniformMatrix4fv(uniform(program, "toClip"), 1, GL_FALSE, toClip.m.data());
     glUniformMatrix4fv(uniform(program, "toEye"), 1, GL_FALSE, scene.view.m.data());
     glUniform1i(uniform(program, "picture"), 0);
     const GLint toWorld = uniform(program, "toWorld"), colour = uniform(program, "colour"),
                 textured = uniform(program, "textured"), glow = uniform(program, "glow"),
                 area = uniform(program, "area"), second = uniform(program, "second"), split = uniform(program, "split"),
-                finish = uniform(program, "finish"), plane = uniform(program, "plane"), side = uniform(program, "side");
+                finish = uniform(program, "finish"), plane = uniform(program, "plane");
+    if (cut) glUniform1f(uniform(program, "side"), static_cast<float>(share));
     for (const SceneMesh& item : meshes) {
-      if (share == Share::Faint && !item.fadeBefore) continue;
+      if (fades(item) != cut) continue;
       const GLuint texture = item.texture ? textures_.get(*item.texture) : 0;
       const GpuMesh& mesh = meshes_.get(item);
       glUniformMatrix4fv(toWorld, 1, GL_FALSE, item.toWorld.m.data());
       glFrontFace(item.flips ? GL_CW : GL_CCW);
-      const bool open = share == Share::Solid && item.fadeBefore;  // its inside is seen
-      open ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-      glUniform4fv(plane, 1, item.fadeBefore.value_or(std::array<float, 4>{}).data());
-      glUniform1f(side, share == Share::Faint ? 1.f : item.fadeBefore ? -1.f : 0.f);
+      if (item.fadeBefore) glUniform4fv(plane, 1, item.fadeBefore->data());
       glUniform3fv(colour, 1, linear(item.colour).data());
       glUniform1f(textured, texture != 0 ? 1.f : 0.f);
       glUniform1f(glow, item.glow);
