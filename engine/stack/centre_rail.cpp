@@ -13,6 +13,7 @@
 #include "engine/stack/sheets.h"
 
 namespace spineloft::stack {
+
 std::optional<SectionPoint> centreOf(const Plane& plane) {
   SectionPoint sum;
   double whole = 0;

@@ -170,10 +170,10 @@ Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double a
   return {};
 }
 
-/// The sheet of a part there; one that is seen leans as it is seen.
+/// The sheet of a part there, as the one that is seen would be.
 std::optional<Sheet> sheetAt(Env env, PartId part, std::optional<double> at) {
-  const auto shown = sheetOf(env);
-  const geometry::Turn turn = shown && shown->part == part ? shown->turn : geometry::Turn{};
+  const bool placed = env.ui.layers.part == part && env.ui.layers.at;
+  const geometry::Turn turn = placed ? env.ui.layers.turn : geometry::Turn{};
   return sheetFor(env.studio.document(), part, env.ui.picture, at, turn);
 }
 

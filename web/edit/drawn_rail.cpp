@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -43,7 +44,7 @@ double meanRadius(const document::StackRecipe& recipe) {
       ++count;
     }
   }
-  return count > 0 ? std::sqrt(area / count / 3.14159265358979323846) : 0;
+  return count > 0 ? std::sqrt(area / count / std::numbers::pi) : 0;
 }
 
 ModelPoint middleOf(const stack::Rail& rail) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/geometry/polygon.h"
@@ -28,7 +29,7 @@ constexpr double kApart = 0.01;                      // of the rail: no layer is
 constexpr double kOpenGap = 0.5;                     // of a line's length between its ends: it is not meant to close
 constexpr double kNewWall = 0.12;                    // width of a wall, of the sheet's half side
 constexpr double kLeastGround = 0.1;                 // of the sheet's half side: ground below its line
-constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// Upright in the middle of the picture.
 stack::Rail railOn(image::Size picture) {
@@ -130,7 +131,7 @@ Round roundOn(const Sheet& sheet) {
     const double area = std::abs(geometry::signedArea(std::span<const SectionPoint>(outline)));
     if (area <= most) continue;
     most = area;
-    round = {middleOf(outline), std::sqrt(area / 3.14159265358979323846)};
+    round = {middleOf(outline), std::sqrt(area / std::numbers::pi)};
   }
   return round;
 }
@@ -331,7 +332,7 @@ stack::Curve circleOn(const Sheet& sheet) {
 
 stack::Curve squareOn(const Sheet& sheet) {
   const auto [m, radius] = roundOn(sheet);
-  const double r = radius * std::sqrt(3.14159265358979323846) / 2;
+  const double r = radius * std::sqrt(std::numbers::pi) / 2;
   return {{{m.x + r, m.y + r}, {m.x - r, m.y + r}, {m.x - r, m.y - r}, {m.x + r, m.y - r}}, {true, {}}};
 }
 

@@ -89,16 +89,15 @@ class Settings {
         return app::turnFor(*sheet, changed);
       };
       const Setting what{id, words, -app::kMostLean, app::kMostLean, 1, "{n}°", 0};
-      if (sheet->layer) {
-        const auto shownLean = [&] {
-          app::Sheet seen = *sheet;
-          seen.turn = shown().planes[*sheet->layer].turn;
-          return app::leanOf(seen).*way;
-        };
-        number(what, shownLean(), [&](double value) { return app::withTurn(*sheet, turn(value)); });
-      } else {
-        free(what, lean.*way, [&](double value) { env_.ui().layers.turn = turn(value); });
-      }
+      app::Sheet seen = *sheet;
+      if (sheet->layer) seen.turn = shown().planes[*sheet->layer].turn;
+      double chosen = 0;
+      const SliderTurn moved = slide(what, app::leanOf(seen).*way, chosen);
+      if (moved.changed && sheet->layer) preview(app::withTurn(*sheet, turn(chosen)));
+      if (moved.changed && !sheet->layer) env_.ui().layers.turn = turn(chosen);
+      if (!moved.done || !sheet->layer) continue;
+      env_.ui().preview.reset();
+      env_.sink.run(app::leanSheet, turn(chosen));
     }
   }
 
@@ -170,11 +169,10 @@ class Settings {
     return held ? *held : layers_;
   }
 
-  /// Of nothing that is kept: it takes what is chosen at once.
-  template <class Take>
-  void free(const Setting& what, double now, const Take& take) {
-    double chosen = now;
-    if (slide(what, now, chosen).changed) take(chosen);
+  void preview(StackRecipe recipe) {
+    app::Preview& changed = app::previewPart(env_.ui(), part_);
+    changed.recipe = std::move(recipe);
+    changed.fresh = false;
   }
 
   /// Shows what it would do and does it when it is let go.
@@ -182,11 +180,7 @@ class Settings {
   void number(const Setting& what, double now, const Change& change) {
     double chosen = now;
     const SliderTurn turn = slide(what, now, chosen);
-    if (turn.changed) {
-      app::Preview& changed = app::previewPart(env_.ui(), part_);
-      changed.recipe = change(chosen);
-      changed.fresh = false;
-    }
+    if (turn.changed) preview(change(chosen));
     if (!turn.done) return;
     env_.ui().preview.reset();
     keep(change(chosen));

@@ -54,8 +54,7 @@ struct Cut {
 std::optional<Cut> cutOf(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
   const std::optional<Sheet> sheet = sheetInHand(document, ui);
   // While a hand moves the sheet the solid stays as it is drawn: to draw it anew takes a processor without a GPU long.
-  const bool moves = ui.layers.held == SheetHold::Knob || ui.layers.held == SheetHold::Lean;
-  if (!sheet || moves || drawsRail(document, ui)) return std::nullopt;
+  if (!sheet || ui.layers.held != SheetHold::Nothing || drawsRail(document, ui)) return std::nullopt;
   constexpr double kLeast = 0.02;  // of the sheet's half side
   const pipeline::ToWorld toWorld = sheetInWorld(document, derived, ui, *sheet);
   const WorldPoint at = toWorld(sheet->stand.origin);

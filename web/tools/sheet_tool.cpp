@@ -1,6 +1,7 @@
 #include "web/tools/sheet_tool.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "web/commands/intents.h"
@@ -109,7 +110,8 @@ void SheetTool::begin(const ToolEnv& env, const ToolEvent& event) {
                                           : railOnCanvas(env, sheet_, toWorld_);
   turn_ = sheet_.turn;
   app::placeSheet(env.ui, sheet_, before_);
-  env.ui.layers.held = grip_.hold;
+  const bool knob = grip_.hold == SheetHold::Knob || grip_.hold == SheetHold::Lean;
+  env.ui.layers.held = knob ? grip_.hold : SheetHold::Nothing;
 }
 
 void SheetTool::move(const ToolEnv& env, const ToolEvent& event) {
@@ -135,7 +137,7 @@ void SheetTool::show(const ToolEnv& env, const document::StackRecipe& recipe) co
 }
 
 void SheetTool::lean(const ToolEnv& env, const ToolEvent& event) {
-  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  constexpr double kDegrees = 180 / std::numbers::pi;
   double app::Lean::* const way = app::kLeans[static_cast<std::size_t>(grip_.joint)];
   const double by = kDegrees * dot(event.at - watch_.start(), unit_) / dot(unit_, unit_);
   app::Lean lean = app::leanOf(sheet_);

@@ -236,6 +236,10 @@ TEST_CASE("a sheet goes on leaning past a level layer, and that of the next part
   CHECK(side() == doctest::Approx(0));  // as its layer
   REQUIRE(rig.works("layer-sheet", R"({"at": 0.8})"));
   CHECK(side() == doctest::Approx(20));
+  REQUIRE(rig.works("draw-layer", R"({"at": 1, "through": [[40, 0], [0, 40], [-40, 0], [0, -40]]})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0})"));  // on a level layer, a leaning one is drawn elsewhere by command
+  REQUIRE(rig.works("draw-layer", R"({"at": 0.5, "through": [[40, 0], [0, 40], [-40, 0], [0, -40]]})"));
+  CHECK(side() == doctest::Approx(20));
   REQUIRE(rig.works("select-part", R"({"id": null})"));  // the sheet of the next part
   CHECK(side() == doctest::Approx(0));
   REQUIRE(rig.works("layer-lean", R"({"front": 10})"));
