@@ -55,7 +55,8 @@ Outcome reportPrint(const CommandEnv& env);
 // Cutting out.
 /// Leaves the thing that is being cut out; nothing without one.
 void closeCut(const CommandEnv& env);
-/// The same once its picture, its part or its tool is gone.
+/// The same once its picture or its part is gone. With another tool, picture or board in hand what is shown becomes the
+/// part, as by "Use this"; a part that was selected meanwhile stays selected.
 void settleCut(const CommandEnv& env);
 
 // Puffs.

@@ -155,6 +155,7 @@ Outcome begin(Env env, Begin wanted) {
   CutDraft& draft = env.ui.cut.emplace();
   draft.part = wanted.part;
   draft.picture = entry->id;
+  draft.selected = env.ui.selection;
   draft.hints = std::move(hints).value();
   draft.atOnce = wanted.atOnce;
   draft.into = wanted.into;
@@ -336,10 +337,21 @@ void settleCut(const CommandEnv& env) {
   if (!env.ui.cut) return;
   const CutDraft& draft = *env.ui.cut;
   const document::Document& document = env.studio.document();
-  const bool tool = draft.atOnce || cutsOut(env.ui.tool);
   const bool gone =
       !document::findPicture(document, draft.picture) || (draft.part && !document::findPart(document, draft.part));
-  if (gone || !tool || env.ui.picture != draft.picture || env.ui.sections.board) closeCut(env);
+  if (gone) return closeCut(env);
+  const bool stays = draft.atOnce || cutsOut(env.ui.tool);
+  if (stays && env.ui.picture == draft.picture && !env.ui.sections.board) return;
+  if (draft.atOnce || draft.shape.contours.empty()) return closeCut(env);
+  // Who goes on to other work has not said no to what is shown: one step of undo takes it back.
+  env.studio.stopCutOut();
+  const PartId selected = env.ui.selection;
+  const bool goesOn = static_cast<bool>(selected) && selected != draft.selected;
+  if (const Outcome done = take(env); !done) {
+    sendError(env.host, done.refusal().sentence);
+    return closeCut(env);
+  }
+  if (goesOn) env.ui.selection = selected;
 }
 
 constinit const Mode kCutMode{"cut-out", hasDraft, closeCut, undoMark, redoMark, hasDraft, canRedo};

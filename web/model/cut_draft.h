@@ -33,6 +33,7 @@ struct CutDraft {
   bool adding = true;                   ///< the brush in hand adds, else it takes away
   bool searching = false;
   bool atOnce = false;  ///< becomes a part without being asked, as soon as it is found
+  PartId selected;      ///< when it began
   PartId part;          ///< whose region, or outline in this picture, it becomes; none: a new part
   CutInto into = CutInto::Puff;
 };

@@ -88,6 +88,7 @@ void App::layout() {
 
 /// Brings what is selected and shown in line with the document, which undo may have changed.
 void App::settle() {
+  settleCut(env());  // may add a part
   const document::Document& document = studio_.document();
   if (!document::findPicture(document, ui_.picture)) {
     featureAt(ui_, document.pictures.empty() ? PictureId{} : document.pictures.back()->id);
@@ -103,7 +104,6 @@ void App::settle() {
   if (lost) gestures_.cancel(toolEnv());
   settleChosen();
   if (!document::findPart(document, ui_.redraw)) ui_.redraw = {};
-  settleCut(env());
   settleSolids(document, ui_);
   studio_.expectEdit(ui_.selection);
   const bool orphaned = ui_.preview && (!document::findPicture(document, document::pictureOf(ui_.preview->recipe)) ||

@@ -132,7 +132,7 @@ TEST_CASE("strokes add and take away, undo takes them back one by one, then leav
   CHECK(rig.parts() == 0);
 }
 
-TEST_CASE("Escape, another tool and another model leave the cut-out; a gesture in hand goes first") {
+TEST_CASE("Escape and another model leave the cut-out; a gesture in hand goes first") {
   Rig rig;
   rig.openBar();
   boxRound(rig);
@@ -143,16 +143,47 @@ TEST_CASE("Escape, another tool and another model leave the cut-out; a gesture i
   rig.key("Escape", "Escape");
   CHECK(rig.state().find("cut")->isNull());
   boxRound(rig);
-  rig.run("sheet");
-  rig.settle();
-  CHECK_FALSE(rig.state().find("cut")->isNull());
-  rig.run("draw");
-  rig.settle();
-  CHECK(rig.state().find("cut")->isNull());
-  boxRound(rig);
   rig.run("clear");
   rig.settle();
   CHECK(rig.state().find("cut")->isNull());
+  CHECK(rig.parts() == 0);
+}
+
+TEST_CASE("another tool uses what is cut out, in one step; a part chosen meanwhile stays chosen") {
+  Rig rig;
+  rig.openBar();
+  boxRound(rig);
+  rig.run("sheet");
+  rig.settle();
+  CHECK_FALSE(rig.state().find("cut")->isNull());
+  CHECK(rig.parts() == 0);
+  const double undo = *rig.state().number("undo");
+  rig.run("draw");
+  rig.settle();
+  CHECK(rig.state().find("cut")->isNull());
+  CHECK(rig.parts() == 1);
+  CHECK(rig.state().number("undo") == undo + 1);
+  CHECK(*rig.state().text("tool") == "draw");
+  const double first = *rig.state().number("selection");
+  rig.key("Escape", "Escape");
+  CHECK(rig.state().find("selection")->isNull());
+  boxRound(rig);
+  rig.run("select-part", R"({"id":)" + std::to_string(static_cast<int>(first)) + "}");
+  rig.run("hand");
+  rig.settle();
+  CHECK(rig.parts() == 2);
+  CHECK(*rig.state().number("selection") == first);
+}
+
+TEST_CASE("a cut-out that is still searched for goes with its tool") {
+  Rig rig;
+  rig.openBar();
+  rig.run("puff");
+  rig.run("cut-start", R"({"box":[[70,20],[132,182]]})");
+  rig.run("draw");
+  rig.settle();
+  CHECK(rig.state().find("cut")->isNull());
+  CHECK(rig.parts() == 0);
 }
 
 TEST_CASE("cancelled work leaves what was shown before") {
