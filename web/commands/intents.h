@@ -181,8 +181,10 @@ struct DrawLineIntent {
   std::vector<PicturePoint> points;
   std::vector<descriptive::Stretch> hidden = {};
   bool closed = false;
+  std::vector<LineId> replaces = {};  ///< lines of its drawing that go
 };
 Outcome drawLine(const CommandEnv& env, const DrawLineIntent& intent);
+/// From a loose end of the line to the nearest end: its own other one, or that of another line.
 Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line);
 /// Of crossingsOn the picture in view: who is behind comes to the front there.
 Outcome swapCrossing(const CommandEnv& env, int crossing);

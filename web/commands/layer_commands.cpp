@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/io/recipe_file.h"
 #include "web/commands/command_actions.h"
 #include "web/commands/command_args.h"
 #include "web/commands/command_groups.h"
@@ -247,6 +248,22 @@ Outcome drawRow(Env env, const Json& args) {
   return missing("a line: a list of [x, y] on the sheet, in picture pixels (or through: points of a curve)");
 }
 
+/// A new part as its recipe says, for what is made by a program.
+Outcome drawStack(Env env, const Json& args) {
+  const Json* stated = args.find("recipe");
+  if (stated == nullptr || stated->object() == nullptr) return missing("a recipe of a part of layers: an object");
+  JsonWriter text;
+  text.value(*stated);
+  const auto read = io::readRecipe(text.json(), {});
+  if (!read) return refuse(read.failure());
+  const bool isOne = read.value().parts.size() == 1;
+  const document::StackRecipe* layers = isOne ? layersOf(&*read.value().parts.front()) : nullptr;
+  if (layers == nullptr || layers->planes.empty()) return refuse({Error::NotAStack, {}});
+  document::StackRecipe recipe = *layers;
+  recipe.picture = env.ui.picture;
+  return keep(env, {}, recipe, recipe.rail.points.empty() ? 0 : recipe.planes.back().at);
+}
+
 /// Of the part that is meant.
 template <class Change>
 Outcome setLayers(Env env, const Json& args, const Change& change) {
@@ -394,7 +411,8 @@ Outcome forkRow(Env env, const Json& args) {
 }
 
 constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"}, kFront{"front"}, kAs{"as"};
-constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"};
+constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"},
+    kRecipe{"recipe"};
 constexpr Condition kHasLayers{hasLayers, Condition::Part}, kCanRepeat{canRepeat, Condition::Part},
     kHasWalls{hasWalls, Condition::Part}, kHasOpenLines{hasOpenLines, Condition::Part};
 constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy}, kOnRail{onRail};
@@ -446,6 +464,8 @@ constexpr std::array kTable = {
             .hint = "How high a fork is", .enabled = kOnLayer, .run = forkRow},
     Command{.id = "draw-layer", .label = "Layer by numbers", .icon = "layers", .group = "part", .argument = kLine,
             .hint = "A line on a sheet, in picture pixels", .enabled = hasPicture, .run = drawRow},
+    Command{.id = "draw-stack", .label = "Layers by a recipe", .icon = "layers", .group = "part", .argument = kRecipe,
+            .hint = "A whole part of layers, as files have it", .enabled = hasPicture, .run = drawStack},
 };
 // clang-format on
 

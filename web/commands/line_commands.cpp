@@ -212,7 +212,7 @@ constexpr std::array kTable = {
             .argument = kPoints, .hint = "A line of a line drawing in picture pixels", .enabled = hasPicture,
             .run = drawLineRow},
     Command{.id = "close-line", .label = "Close a line", .icon = "circle-dot", .group = "part", .argument = kLine,
-            .hint = "The end of a line is joined to its beginning", .enabled = hasDrawing, .run = closeLineRow},
+            .hint = "The end of a line is joined to the nearest end, its own beginning or another line's", .enabled = hasDrawing, .run = closeLineRow},
     Command{.id = "hide-line", .label = "Hide a line by numbers", .icon = "eye-off", .group = "part",
             .argument = kLine, .hint = "Where a line has something in front of it", .enabled = hasDrawing,
             .run = hideLine},
@@ -291,15 +291,17 @@ bool becomesEdged(const document::Document& before, const document::Document& af
   });
 }
 
-/// Carries a line out and takes the piece that comes of it in hand.
-Outcome closing(Env env, const document::Action& action, PictureId picture) {
+/// Carries out what is done with lines and takes the piece that comes of it in hand.
+Outcome closing(Env env, std::vector<document::Action> actions, PictureId picture) {
   const document::Document& document = env.studio.document();
   const PartId last{document.lastPartId};
-  const Result<document::Document> next = document::update(document, action);
-  if (!next) return refuse(next.failure());
+  Result<document::Document> next = document;
+  for (const document::Action& action : actions) {
+    next = document::update(next.value(), action);
+    if (!next) return refuse(next.failure());
+  }
   const std::size_t contradicted = contradictions(env, picture);
   const bool isEdged = becomesEdged(document, next.value());
-  std::vector<document::Action> actions{action};
   if (auto places = placesOf(env, next.value(), picture, last); !places.empty()) {
     actions.push_back(document::PlaceParts{std::move(places)});
   }
@@ -332,13 +334,22 @@ Outcome closing(Env env, const document::Action& action, PictureId picture) {
 
 Outcome drawLine(Env env, const DrawLineIntent& intent) {
   const document::DrawLine draw{intent.picture, intent.points, intent.hidden, intent.closed, env.ui.look};
-  return closing(env, draw, intent.picture);
+  std::vector<document::Action> actions;
+  for (const LineId line : intent.replaces) {
+    const document::Drawing* drawing = document::drawingOn(env.studio.document(), intent.picture);
+    if (drawing != nullptr) actions.push_back(document::DeleteLine{drawing->id, line});
+  }
+  actions.push_back(draw);
+  return closing(env, std::move(actions), intent.picture);
 }
 
 Outcome closeLine(Env env, DrawingId id, LineId line) {
   const document::Drawing* drawing = document::findDrawing(env.studio.document(), id);
   if (drawing == nullptr) return refuse({Error::NoSuchLine, {}});
-  return closing(env, document::CloseLine{id, line, env.ui.look}, drawing->picture);
+  if (const auto way = wayToClose(env.studio.document(), env.studio.derived(), id, line)) {
+    return drawLine(env, {drawing->picture, {(*way)[0], (*way)[1]}, {}, false});
+  }
+  return closing(env, {document::CloseLine{id, line, env.ui.look}}, drawing->picture);
 }
 
 Outcome swapCrossing(Env env, int number) {
@@ -383,11 +394,15 @@ Outcome shapePieces(Env env, const Parts& parts, descriptive::PieceKind kind) {
     return part != nullptr && document::elementOf(*part) != nullptr;
   });
   if (!any) return refuse({Error::NotAPiece, {}});
-  return setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
+  Outcome done = setOnAll(env, parts, [&](const document::Part& part) -> std::optional<document::Action> {
     const document::ElementRecipe* own = document::elementOf(part);
     if (own == nullptr || own->kind == kind) return std::nullopt;
     return document::ShapePiece{part.id, kind};
   });
+  const bool lacksEdges = !done && done.refusal().error == errorName(Error::ShapeInvalid);
+  if (!lacksEdges || kind != descriptive::PieceKind::Solid) return done;
+  return Refusal{done.refusal().error,
+                 "An edge is missing, or one does not meet the others. Draw it, then choose it again."};
 }
 
 constinit const Mode kLinesMode{"lines", linesTool};

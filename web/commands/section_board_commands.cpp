@@ -9,6 +9,7 @@
 #include "web/commands/intents.h"
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
+#include "web/edit/layer_board.h"
 #include "web/edit/puff_bones.h"
 #include "web/edit/section_editing.h"
 #include "web/model/messages.h"
@@ -69,8 +70,42 @@ Outcome editProfile(Env env, const document::Part& part, const Json& args) {
   return {};
 }
 
+/// The sheet of the layers that are meant, or in hand; none for another part.
+std::optional<Sheet> sheetMeant(Env env, const Json& args) {
+  const document::Part* part = partOf(env, args);
+  if (part == nullptr) return namesPart(args) ? std::nullopt : shownSheet(env.studio.document(), env.ui);
+  const document::StackRecipe* layers = document::stackOf(*part);
+  if (layers == nullptr) return std::nullopt;
+  const bool placed = env.ui.layers.part == part->id && env.ui.layers.at;
+  std::optional<double> at = placed ? env.ui.layers.at : std::nullopt;
+  if (const std::optional<double> index = args.number("slice")) {
+    if (!(*index >= 0 && *index < static_cast<double>(layers->planes.size()))) return std::nullopt;
+    at = layers->rail.points.empty() ? *index : layers->planes[static_cast<std::size_t>(*index)].at;
+  }
+  return sheetFor(env.studio.document(), part->id, {}, at, placed ? env.ui.layers.turn : geometry::Turn{});
+}
+
+Outcome editLayer(Env env, const Sheet& sheet) {
+  if (hasOpenCurves(sheet)) {
+    return Refusal{"StackInvalid", "Lines that end are drawn again on the sheet: the board takes closed ones."};
+  }
+  if (sheet.part) env.ui.selection = sheet.part;
+  openLayerBoard(env.ui, sheet);
+  sendStatus(env.host, "Draw the slice as a closed curve. Enter when it is done, Escape to leave.");
+  return {};
+}
+
+/// What is on the board becomes the layer.
+Outcome keepLayer(Env env) {
+  const auto sheet = sheetOfBoard(env.studio.document(), env.ui);
+  if (!sheet) return refuse({Error::NotAStack, {}});
+  if (!sheet->layer) return drawLayer(env, {sheet->part, sheet->at, curvesOnBoard(*boardOf(env))});
+  return remakeLayers(env, sheet->part, withBoard(*sheet, *boardOf(env)));
+}
+
 Outcome editSection(Env env, const Json& args) {
   if (const document::Part* puff = puffOf(env, args)) return editProfile(env, *puff, args);
+  if (const auto sheet = sheetMeant(env, args)) return editLayer(env, *sheet);
   const document::Part* part = loftPartOf(env, args);
   if (part == nullptr && args.find("part") != nullptr) return refuse({Error::NoSuchPart, {}});
   std::size_t key = part ? pickedSectionKey(env.ui, *part) : 0;
@@ -100,7 +135,10 @@ Outcome done(Env env, const Json&) {
   if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
   const sections::SectionShape shape = std::move(made).value();
   const document::Part* part = document::findPart(env.studio.document(), board.part);
-  if (part && board.profile) {
+  const bool isLayer = board.sheet.has_value();
+  if (isLayer) {
+    if (const Outcome kept = keepLayer(env); !kept) return kept;
+  } else if (part && board.profile) {
     inflate::InflateParams params = document::inflateOf(*part)->inflate;
     auto& slices = params.profile.slices;
     if (slices.empty()) slices.resize(1);
@@ -113,11 +151,12 @@ Outcome done(Env env, const Json&) {
     const Status status = env.studio.act(document::SetSections{part->id, std::move(keys)});
     if (!status) return refuse(status.failure());
   }
-  if (!board.profile) env.ui.section = shape;
+  if (!board.profile && !isLayer) env.ui.section = shape;
   closeBoard(env.ui);
   sendStatus(env.host, "The slice is done, and on your shelf.");
   if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
-  return {};
+  const bool sheetShows = isLayer && shownSheet(env.studio.document(), env.ui);
+  return sheetShows ? seeSheet(env) : Outcome();
 }
 
 void leave(Env env) {

@@ -175,7 +175,7 @@ std::optional<Sheet> placedSheet(const document::Document& document, PartId id, 
 
 /// What `make` gives for the part in hand, else for the next one.
 std::optional<Sheet> ofShown(const document::Document& document, const UiState& ui, decltype(placedSheet) make) {
-  if (ui.tool != ToolKind::Layers) return std::nullopt;
+  if (ui.tool != ToolKind::Layers || ui.sections.board) return std::nullopt;
   const document::Part* part = document::findPart(document, ui.selection);
   const bool ours = part != nullptr && document::stackOf(*part) != nullptr;
   if (ours && !part->visible) return std::nullopt;

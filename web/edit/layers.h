@@ -31,7 +31,7 @@ struct Sheet {
 /// `turn` is for a sheet that lies on no layer. None for a part that is not made of layers, and without a picture.
 std::optional<Sheet> sheetFor(const document::Document& document, PartId part, PictureId picture,
                               std::optional<double> at, const geometry::Turn& turn = {});
-/// The one that is seen: none without the tool, or for a part that is hidden.
+/// The one that is seen: none without the tool, for a part that is hidden, and while a board is open.
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
 /// The same without where it stands and how large it is, which takes longer than all else: for what is asked for in
 /// every frame.

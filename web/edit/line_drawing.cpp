@@ -216,6 +216,29 @@ std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipe
   return ends;
 }
 
+std::optional<std::array<PicturePoint, 2>> wayToClose(const document::Document& document,
+                                                      const pipeline::Derived& derived, DrawingId id, LineId line) {
+  const document::Drawing* drawing = document::findDrawing(document, id);
+  if (drawing == nullptr) return std::nullopt;
+  std::vector<LooseEnd> own = looseEndsOn(document, derived, drawing->picture);
+  std::erase_if(own, [&](const LooseEnd& end) { return end.drawing != id || end.line != line; });
+  std::optional<std::array<PicturePoint, 2>> best;
+  double least = std::numeric_limits<double>::infinity();
+  if (own.size() > 1) least = distance(own.front().at, own.back().at);
+  for (const LooseEnd& end : own) {
+    for (const document::DrawnLine& other : drawing->lines) {
+      if (other.id == line || other.closed || other.points.empty()) continue;
+      for (const PicturePoint to : {other.points.front(), other.points.back()}) {
+        const double far = distance(end.at, to);
+        if (far >= least) continue;
+        least = far;
+        best = {end.at, to};
+      }
+    }
+  }
+  return best;
+}
+
 LineMarks lineMarks(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
   LineMarks marks;
   if (ui.tool != ToolKind::Lines) return marks;
@@ -274,6 +297,20 @@ MeantLine meantLine(const document::Drawing* drawing, const std::vector<PictureP
   }
   points = geometry::simplifiedLine(std::span<const PicturePoint>(points), kThinning);
   return meant;
+}
+
+std::vector<LineId> drawnOver(const document::Document& document, const document::Drawing& drawing,
+                              const document::DrawnLine& fresh, double reach) {
+  const std::span<const PicturePoint> over(fresh.points);
+  const auto lies = [&](const document::DrawnLine& line) {
+    const bool isHidden = !line.hidden.empty();
+    return isHidden == !fresh.hidden.empty() && geometry::lengthOf(line.points) > kLongEnough * reach &&
+           std::ranges::all_of(
+               line.points, [&](PicturePoint p) { return geometry::distanceToLine(p, over, fresh.closed) <= reach; });
+  };
+  std::vector<LineId> lines = document::freeLines(document, drawing);
+  std::erase_if(lines, [&](LineId id) { return !lies(*document::findLine(drawing, id)); });
+  return lines;
 }
 
 }  // namespace spineloft::app

@@ -58,6 +58,11 @@ std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipe
 std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipeline::Derived& derived,
                                   PictureId picture);
 
+/// The way from a loose end of a line to the nearest end of another line. None: its own other end is nearer, to which a
+/// closed line goes, or there is no other.
+std::optional<std::array<PicturePoint, 2>> wayToClose(const document::Document& document,
+                                                      const pipeline::Derived& derived, DrawingId drawing, LineId line);
+
 /// Both on the canvas as the tool Lines shows them: crossings that would be nearer than a fingertip move apart. Empty
 /// while another tool is in hand.
 struct LineMarks {
@@ -77,5 +82,9 @@ struct MeantLine {
 /// cut. None of it moves an end by more than a share of the line's own length. What is one more dash begins where it
 /// was drawn (descriptive/dashes.h). `drawing` may be null.
 MeantLine meantLine(const document::Drawing* drawing, const std::vector<PicturePoint>& line, double reach);
+/// The lines of no piece that a new one was drawn over, of the same pen: all of such a line lies within reach of the
+/// new one, and it is much longer than that.
+std::vector<LineId> drawnOver(const document::Document& document, const document::Drawing& drawing,
+                              const document::DrawnLine& fresh, double reach);
 
 }  // namespace spineloft::app

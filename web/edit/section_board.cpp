@@ -3,6 +3,7 @@
 #include <array>
 
 #include "engine/document/checks.h"
+#include "web/edit/layer_board.h"
 #include "web/edit/preview.h"
 #include "web/edit/section_editing.h"
 
@@ -31,6 +32,14 @@ bool step(SectionBoard& board, std::vector<sections::Drawing>& from, std::vector
   board.drawing = std::move(from.back());
   from.pop_back();
   return true;
+}
+
+/// Shows the part as this would make it.
+void previewRecipe(UiState& ui, const document::Part& part, document::Recipe recipe) {
+  Preview& preview = previewPart(ui, part);
+  if (preview.recipe == recipe) return;
+  preview.recipe = std::move(recipe);
+  preview.fresh = false;
 }
 
 }  // namespace
@@ -77,6 +86,10 @@ void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShap
     board.drawing = std::move(drawing).value();
     board.tool = BoardTool::Points;
   }
+  showBoard(ui, std::move(board));
+}
+
+void showBoard(UiState& ui, SectionBoard board) {
   ui.sections.board = std::move(board);
   ui.sections.placing = false;
   closeMenus(ui);
@@ -150,16 +163,16 @@ void previewBoard(UiState& ui, const document::Document& document) {
     if (!board.live) ui.preview.reset();
     if (!shape || !board.live) return;  // the last valid one stays until the gesture ends
   }
+  if (board.sheet) {
+    if (const auto sheet = sheetOfBoard(document, ui)) previewRecipe(ui, *part, withBoard(*sheet, board));
+    return;
+  }
   if (board.profile) {
     document::InflateRecipe puff = *document::inflateOf(*part);
     auto& slices = puff.inflate.profile.slices;
     if (slices.empty()) slices.resize(1);
     slices[std::min(board.key, slices.size() - 1)].shape = std::move(shape).value();
-    if (!document::checkSolid(puff.inflate)) return;
-    Preview& preview = previewPart(ui, *part);
-    if (preview.recipe == document::Recipe(puff)) return;
-    preview.recipe = std::move(puff);
-    preview.fresh = false;
+    if (document::checkSolid(puff.inflate)) previewRecipe(ui, *part, std::move(puff));
     return;
   }
   loft::LoftParams params = document::loftIn(*part).loft;

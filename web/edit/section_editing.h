@@ -23,6 +23,8 @@ struct BoardStart {
 };
 /// Opens it with a shape as its drawing, or as a trace below an empty one.
 void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShape& shape);
+/// Shows a board that is made.
+void showBoard(UiState& ui, SectionBoard board);
 void closeBoard(UiState& ui);
 /// The drawing becomes `next`, as a step that the board can take back.
 void changeDrawing(SectionBoard& board, sections::Drawing next);

@@ -50,7 +50,7 @@ Ids itemsOf(const PanelEnv& env) {
   static constexpr app::CommandId kSheet[] = {"cut-by-box", "cut-by-scribble", "edge-sharp", "edge-bevel",
                                               "edge-round"};
   static constexpr app::CommandId kLayers[] = {"layer-up",   "layer-down", "layer-circle", "layer-square",
-                                               "layer-copy", "layer-face", "layer-remove"};
+                                               "edit-slice", "layer-copy", "layer-face",   "layer-remove"};
   static constexpr app::CommandId kLines[] = {"seen-pen", "hidden-pen"};
   static constexpr app::CommandId kPull[] = {"pull-out",   "pull-in",   "pull-narrower", "pull-wider",
                                              "pull-sharp", "pull-next", "pull-remove"};

@@ -143,8 +143,10 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
     list.AddLine(frame.at({v, -1}), frame.at({v, 1}), kHover);
   }
   list.AddRect(frame.at({-1, 1}), frame.at({1, -1}), kLine, 4);
-  styledLine(list, frame.at({-1, 0}), frame.at({1, 0}), {kEdgeRib, 1.6f, LineStyle::Solid});
-  for (const double x : {-1.0, 1.0}) list.AddCircleFilled(frame.at({x, 0}), 4, kEdgeRib, 16);
+  if (!board.sheet) {
+    styledLine(list, frame.at({-1, 0}), frame.at({1, 0}), {kEdgeRib, 1.6f, LineStyle::Solid});
+    for (const double x : {-1.0, 1.0}) list.AddCircleFilled(frame.at({x, 0}), 4, kEdgeRib, 16);
+  }
   const Pen mirror{kSpine, 1.2f, LineStyle::Dashed};
   if (board.symmetry.leftRight) styledLine(list, frame.at({0, -1.03}), frame.at({0, 1.03}), mirror);
   if (board.symmetry.frontBack) styledLine(list, frame.at({-1.03, 0}), frame.at({1.03, 0}), mirror);
@@ -152,6 +154,7 @@ void paintGround(const PanelEnv& env, ImDrawList& list, const SectionFrame& fram
     const double angle = 2 * 3.14159265358979 * k / board.symmetry.fold + 1.5707963;
     styledLine(list, frame.at({0, 0}), frame.at({1.03 * std::cos(angle), 1.03 * std::sin(angle)}), mirror);
   }
+  if (board.sheet && !board.sheet->isLevel) return;
   const auto word = [&](SectionPoint at, const char* text) {
     ImFont* font = env.fonts.small;
     const ImVec2 extent = extentOf(font, shown(text)), p = frame.at(at);
@@ -247,8 +250,9 @@ void paintBoard(const PanelEnv& env, const app::Rect& square) {
   const SectionFrame frame{{static_cast<float>(c.x), static_cast<float>(c.y)},
                            static_cast<float>(square.width / 2 / app::kBoardReach)};
   paintGround(env, list, frame);
-  for (const auto& line : env.ui().sections.traces) {
-    if (board.traces) paintOutlines(list, frame, std::span(&line, 1), {faded(kMuted, 60), 0, 1.4f});
+  for (const auto* lines : {&env.ui().sections.traces, &board.below}) {
+    const SectionPen pen{faded(kMuted, lines == &board.below ? 150 : 60), 0, 1.4f};
+    if (board.traces) paintOutlines(list, frame, *lines, pen);
   }
   const auto problem = sections::problemOf(board.drawing);
   std::vector<std::vector<SectionPoint>> outlines;

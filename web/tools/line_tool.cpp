@@ -48,6 +48,9 @@ void LineTool::commit(const ToolEnv& env) {
   app::MeantLine meant = app::meantLine(drawing, line_, reach_);
   app::DrawLineIntent intent{env.ui.picture, std::move(meant.points), {}, meant.closed};
   if (hidden_) intent.hidden = {{0, 1}};
+  if (drawing != nullptr) {
+    intent.replaces = app::drawnOver(env.document, *drawing, {{}, intent.points, intent.hidden, intent.closed}, reach_);
+  }
   env.sink.run(app::drawLine, intent);
 }
 

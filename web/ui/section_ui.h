@@ -10,6 +10,7 @@
 
 #include "engine/base/ids.h"
 #include "engine/document/action.h"
+#include "engine/geometry/turn.h"
 #include "engine/sections/drawing.h"
 #include "web/ui/space.h"
 
@@ -21,11 +22,22 @@ enum class BoardTool : std::uint8_t { Pen, Line, Box, Ellipse, Points, kCount };
 std::string_view boardToolKey(BoardTool tool);
 std::optional<BoardTool> boardToolFromKey(std::string_view key);
 
+/// Where the board lies on the sheet of a part made of layers.
+struct BoardOnSheet {
+  double at = 0;         ///< the sheet's place, as app::Sheet has it
+  geometry::Turn turn;   ///< and how it is turned where it lies on no layer
+  SectionPoint middle;   ///< of the board, picture pixels on the sheet
+  double unit = 1;       ///< one section unit, picture pixels
+  bool isLevel = false;  ///< the board's right and front are those of the model
+};
+
 /// The board on which a section is drawn. The document does not change until it is done.
 struct SectionBoard {
-  PartId part;           ///< none: the section of the next part
-  std::size_t key = 0;   ///< which section of the part
-  bool profile = false;  ///< the slice of a puff: mirrored, and not scaled
+  PartId part;                                   ///< none: the section of the next part
+  std::size_t key = 0;                           ///< which section of the part
+  bool profile = false;                          ///< the slice of a puff: mirrored, and not scaled
+  std::optional<BoardOnSheet> sheet;             ///< a layer is drawn, of true size
+  std::vector<std::vector<SectionPoint>> below;  ///< pale outlines of the layer nearest to it
   sections::Drawing drawing;
   std::vector<sections::Drawing> past, future;  ///< of this board alone
   sections::Symmetry symmetry;

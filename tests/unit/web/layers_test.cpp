@@ -460,3 +460,22 @@ TEST_CASE("links and forks by numbers: refusals say what to name") {
   CHECK_FALSE(rig.works("layer-link", R"({"link": 1, "on": false})"));
   CHECK(rig.parts() == 1);
 }
+
+TEST_CASE("a program makes a whole part of layers from its recipe; what is no such recipe is refused by name") {
+  Paper page;
+  const std::string recipe = R"({"kind":"stack","recipe":{"rail":{"points":[200,-250,0,200,-100,0]},"planes":[
+    {"at":0,"curves":[{"through":[40,0,0,40,-40,0,0,-40]}]},
+    {"at":1,"curves":[{"through":[20,0,0,20,-20,0,0,-20]}]}]}})";
+  REQUIRE(page.works("draw-stack", R"({"recipe":)" + recipe + "}"));
+  page.settle();
+  CHECK(page.parts() == 1);
+  CHECK(layersOf(page).planes.size() == 2);
+  CHECK(layersOf(page).rail.points.size() == 2);
+  REQUIRE(page.works("undo"));
+  CHECK(page.parts() == 0);
+  CHECK(page.fault("draw-stack", "{}") == "ArgumentMissing");
+  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","planes":[]}})") != "");
+  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","planes":[{"at":7}]}})") != "");
+  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"ball"}})") != "");
+  CHECK(page.parts() == 0);
+}

@@ -498,3 +498,65 @@ TEST_CASE("a new model is begun with the pen for what is seen") {
   rig.run("lines");
   CHECK_FALSE(rig.app->ui().edit.hiddenPen);
 }
+
+namespace {
+
+/// The seen edges of a box; the last one ends `gap` short of its corner.
+std::vector<std::vector<PicturePoint>> boxEdges(double gap) {
+  return {{{300, 450}, {600, 450}}, {{600, 450}, {600, 700}}, {{600, 700}, {300, 700}},
+          {{300, 700}, {300, 450}}, {{300, 450}, {420, 340}}, {{600, 450}, {720, 340}},
+          {{600, 700}, {720, 590}}, {{420, 340}, {720, 340}}, {{720, 340}, {720, 590 - gap}}};
+}
+
+struct Edges : Lines {
+  explicit Edges(double gap) {
+    for (const std::vector<PicturePoint>& edge : boxEdges(gap)) draw(edge);
+  }
+  app::Json::Array rings() { return *state().find("lineEnds")->array(); }
+  std::string kind() { return *drawing().find("pieces")->array()->front().text("kind"); }
+};
+
+}  // namespace
+
+TEST_CASE("a tap on the ring of an edge that is too short joins it to the end of another: the box is whole") {
+  for (const std::size_t ring : {0U, 1U}) {
+    CAPTURE(ring);
+    Edges page(45);
+    REQUIRE(page.rings().size() == 2);
+    const double undo = *page.state().number("undo");
+    const app::Json::Array at = *page.rings()[ring].array();
+    page.tap(*at[0].number(), *at[1].number());
+    CHECK(page.rings().empty());
+    CHECK(page.kind() == "solid");
+    CHECK(page.state().number("undo") == undo + 1);
+  }
+}
+
+TEST_CASE(
+    "a line over one that was too short takes its place, in one step; one that is apart, or of a piece, does not") {
+  Edges page(45);
+  REQUIRE(page.rings().size() == 2);
+  const std::size_t lines = page.drawing().find("lines")->array()->size();
+  page.draw({{722, 342}, {722, 470}, {720, 592}});
+  CHECK(page.rings().empty());
+  CHECK(page.kind() == "solid");
+  page.run("undo");
+  page.settle();
+  CHECK(page.drawing().find("lines")->array()->size() == lines);
+  CHECK(page.rings().size() == 2);
+  page.draw({{760, 342}, {760, 592}});
+  CHECK(page.drawing().find("lines")->array()->size() == lines + 1);
+}
+
+TEST_CASE("a closed line is closed by the ring at its own end, where no other line is nearer") {
+  Lines page;
+  page.draw({{200, 200}, {500, 200}, {500, 500}, {200, 500}, {200, 260}});
+  page.draw({{700, 200}, {900, 200}});
+  const app::Json::Array rings = *page.state().find("lineEnds")->array();
+  REQUIRE(rings.size() == 4);
+  const app::Json::Array at = *rings[0].array();
+  page.tap(*at[0].number(), *at[1].number());
+  CHECK(page.parts() == 1);
+  CHECK(page.drawing().find("lines")->array()->size() == 2);
+  CHECK(page.state().find("lineEnds")->array()->size() == 2);
+}

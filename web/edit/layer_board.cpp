@@ -1,0 +1,128 @@
+#include "web/edit/layer_board.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/geometry/polyline.h"
+#include "web/edit/layer_joints.h"
+#include "web/edit/section_editing.h"
+
+namespace spineloft::app {
+namespace {
+
+using document::StackRecipe;
+
+constexpr double kLevel = 0.8;  // cosine up to which right and front are those of the model
+
+/// Middle and half the larger side of what curves enclose.
+struct Square {
+  SectionPoint middle;
+  double half = 1;
+};
+Square squareRound(const std::vector<stack::Curve>& curves) {
+  std::vector<SectionPoint> all;
+  for (const stack::Curve& curve : curves) {
+    const std::vector<SectionPoint> outline = stack::outlineOf(curve);
+    all.insert(all.end(), outline.begin(), outline.end());
+  }
+  const auto [left, right] = std::ranges::minmax(all, {}, &SectionPoint::x);
+  const auto [back, front] = std::ranges::minmax(all, {}, &SectionPoint::y);
+  const double half = std::max(right.x - left.x, front.y - back.y) / 2;
+  return {{(left.x + right.x) / 2, (back.y + front.y) / 2}, half > 0 ? half : 1};
+}
+
+SectionPoint toBoard(const BoardOnSheet& place, SectionPoint p) { return (p - place.middle) / place.unit; }
+
+sections::DrawnCurve drawnOf(const BoardOnSheet& place, const stack::Curve& curve) {
+  sections::DrawnCurve drawn;
+  for (const SectionPoint p : curve.through) drawn.points.push_back({toBoard(place, p), curve.corners.all});
+  for (const std::uint32_t corner : curve.corners.at) {
+    if (corner < drawn.points.size()) drawn.points[corner].corner = true;
+  }
+  return drawn;
+}
+
+/// The points of a drawn curve; links and forks are those of `before`.
+stack::Curve curveOf(const BoardOnSheet& place, const sections::DrawnCurve& drawn, stack::Curve before) {
+  before.through.clear();
+  before.corners = {};
+  before.corners.all = std::ranges::all_of(drawn.points, &sections::DrawnPoint::corner);
+  for (const sections::DrawnPoint& point : drawn.points) {
+    if (point.corner && !before.corners.all) {
+      before.corners.at.push_back(static_cast<std::uint32_t>(before.through.size()));
+    }
+    before.through.push_back(place.middle + point.at * place.unit);
+  }
+  return before;
+}
+
+const std::vector<stack::Curve>* curvesOn(const Sheet& sheet) {
+  return sheet.layer ? &sheet.recipe.planes[*sheet.layer].curves : nullptr;
+}
+
+}  // namespace
+
+bool hasOpenCurves(const Sheet& sheet) {
+  const auto* curves = curvesOn(sheet);
+  return curves != nullptr && std::ranges::any_of(*curves, &stack::Curve::open);
+}
+
+void openLayerBoard(UiState& ui, const Sheet& sheet) {
+  const auto* own = curvesOn(sheet);
+  const stack::Plane* nearest = traceOf(sheet);
+  const auto [middle, half] = squareRound(own && !own->empty() ? *own : std::vector{circleOn(sheet)});
+  const ModelPoint right = sheet.stand.x, front = sheet.stand.y;
+  SectionBoard board;
+  board.part = sheet.part;
+  board.sheet = {sheet.at, sheet.turn, middle, half, right.x > kLevel && front.z > kLevel};
+  for (const stack::Curve& curve : own ? *own : std::vector<stack::Curve>()) {
+    board.drawing.push_back(drawnOf(*board.sheet, curve));
+  }
+  for (const stack::Curve& curve : nearest ? nearest->curves : std::vector<stack::Curve>()) {
+    std::vector<SectionPoint> outline = stack::outlineOf(curve);
+    for (SectionPoint& p : outline) p = toBoard(*board.sheet, p);
+    board.below.push_back(std::move(outline));
+  }
+  if (!board.drawing.empty()) board.tool = BoardTool::Points;
+  showBoard(ui, std::move(board));
+}
+
+std::optional<Sheet> sheetOfBoard(const document::Document& document, const UiState& ui) {
+  if (!ui.sections.board || !ui.sections.board->sheet) return std::nullopt;
+  const SectionBoard& board = *ui.sections.board;
+  return sheetFor(document, board.part, ui.picture, board.sheet->at, board.sheet->turn);
+}
+
+std::vector<stack::Curve> curvesOnBoard(const SectionBoard& board) {
+  std::vector<stack::Curve> curves;
+  for (const sections::DrawnCurve& drawn : board.shown()) curves.push_back(curveOf(*board.sheet, drawn, {}));
+  return curves;
+}
+
+StackRecipe withBoard(const Sheet& sheet, const SectionBoard& board) {
+  const auto* own = curvesOn(sheet);
+  if (own == nullptr) return withCurves(sheet, curvesOnBoard(board));
+  const BoardOnSheet& place = *board.sheet;
+  sections::Drawing fresh = board.shown();
+  std::vector<std::size_t> changed;  // curves of the layer that are not on the board as they were
+  for (std::size_t i = 0; i < own->size(); ++i) {
+    const auto same = std::ranges::find(fresh, drawnOf(place, (*own)[i]));
+    if (same == fresh.end()) {
+      changed.push_back(i);
+    } else {
+      fresh.erase(same);
+    }
+  }
+  StackRecipe recipe = sheet.recipe;
+  std::vector<stack::Curve>& curves = recipe.planes[*sheet.layer].curves;
+  const std::size_t common = std::min(changed.size(), fresh.size());
+  for (std::size_t k = 0; k < common; ++k) curves[changed[k]] = curveOf(place, fresh[k], curves[changed[k]]);
+  for (std::size_t k = changed.size(); k-- > common;) dropCurve(recipe, *sheet.layer, changed[k]);
+  for (std::size_t k = common; k < fresh.size(); ++k) curves.push_back(curveOf(place, fresh[k], {}));
+  return recipe;
+}
+
+}  // namespace spineloft::app
