@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/region.h"
@@ -65,6 +67,9 @@ Status actOnPuffs(const CommandEnv& env, const std::vector<PartId>& parts, std::
                   std::string_view burst = {});
 
 // Sections.
+/// With another tool or part in hand what is drawn on the board is used, as by "Done", or left where it is no slice
+/// yet; a part that was selected meanwhile stays selected. `with`: what was in hand when the board was opened.
+void settleBoard(const CommandEnv& env, std::optional<std::pair<ToolKind, PartId>>& with);
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
 Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.

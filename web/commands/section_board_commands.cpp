@@ -441,6 +441,22 @@ constexpr std::array kTable = {
 
 }  // namespace
 
+void settleBoard(Env env, std::optional<std::pair<ToolKind, PartId>>& with) {
+  if (!isOpen(env)) return with.reset();
+  const PartId selected = env.ui.selection;
+  if (!with) with = {env.ui.tool, selected};
+  if (*with == std::pair{env.ui.tool, selected}) return;
+  if (const Outcome used = done(env, {}); !used) {
+    for (const sections::DrawnCurve& curve : boardOf(env)->drawing) {
+      keepTrace(env.ui.sections, sections::outlineOf(curve));
+    }
+    sendHint(env.host, used.refusal().sentence);
+    closeBoard(env.ui);
+  }
+  if (with->second != selected) env.ui.selection = selected;
+  with.reset();
+}
+
 Outcome useBoardTool(Env env, BoardTool tool) {
   if (!isOpen(env)) return notOpen();
   SectionBoard& board = *boardOf(env);

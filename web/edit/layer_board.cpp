@@ -15,6 +15,7 @@ namespace {
 
 using document::StackRecipe;
 
+constexpr double kRoom = 1.25;  // of the board to what is changed on it
 constexpr double kLevel = 0.8;  // cosine up to which right and front are those of the model
 
 /// Middle and half the larger side of what curves enclose.
@@ -73,11 +74,12 @@ bool hasOpenCurves(const Sheet& sheet) {
 void openLayerBoard(UiState& ui, const Sheet& sheet) {
   const auto* own = curvesOn(sheet);
   const stack::Plane* nearest = traceOf(sheet);
-  const auto [middle, half] = squareRound(own && !own->empty() ? *own : std::vector{circleOn(sheet)});
+  const bool isNew = own == nullptr || own->empty();
+  const auto [middle, half] = squareRound(isNew ? std::vector{circleOn(sheet)} : *own);
   const ModelPoint right = sheet.stand.x, front = sheet.stand.y;
   SectionBoard board;
   board.part = sheet.part;
-  board.sheet = {sheet.at, sheet.turn, middle, half, right.x > kLevel && front.z > kLevel};
+  board.sheet = {sheet.at, sheet.turn, middle, isNew ? half : kRoom * half, right.x > kLevel && front.z > kLevel};
   for (const stack::Curve& curve : own ? *own : std::vector<stack::Curve>()) {
     board.drawing.push_back(drawnOf(*board.sheet, curve));
   }

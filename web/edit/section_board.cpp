@@ -92,6 +92,7 @@ void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShap
 void showBoard(UiState& ui, SectionBoard board) {
   ui.sections.board = std::move(board);
   ui.sections.placing = false;
+  ui.layers.drawsRail = false;
   closeMenus(ui);
   ui.preview.reset();
 }

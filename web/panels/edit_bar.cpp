@@ -254,8 +254,9 @@ void drawEditBar(const PanelEnv& env) {
   const app::Layout& layout = env.ui().layout;
   const app::Rect& view = places ? layout.solid : layout.picture;
   env.ui().barHead = 0;
-  // The board for a section has the picture's place to itself.
-  const bool covered = !places && env.ui().sections.board;
+  // The board for a section has the picture's place to itself; a layer is on it, and not on the sheet.
+  const auto& board = env.ui().sections.board;
+  const bool covered = board && (!places || board->sheet);
   if (covered || env.document().pictures.empty()) return;
   const double shapes = shapesAtHead(env);
   if (items.empty()) return;

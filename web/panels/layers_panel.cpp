@@ -54,7 +54,7 @@ class Settings {
     if (layers_.planes.size() > 1 && buttons.button("middles", "Through the middles", false)) {
       env_.sink.run(app::followMiddles, part_.id);
     }
-    if (hasRail && buttons.button("draw-rail", "Draw it", drawn)) env_.sink.run(app::drawRail, part_.id);
+    if (hasRail && buttons.button("draw-rail", "Draw it", drawn || !now)) env_.sink.run(app::drawRail, part_.id);
   }
 
   /// What becomes of lines that stay open.

@@ -148,6 +148,26 @@ void holdSlider(float before, float& value, SliderTurn& turn) {
   if (!ImGui::IsItemActive()) held = {};
 }
 
+/// The text of a slider, in the middle of it, or as near to that as the grip leaves room. Call after the slider.
+void besideGrip(const Slider& what, float value, const char* text) {
+  constexpr float kGap = 6;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text);
+  const auto share = [&](float v) {
+    return what.logarithmic ? std::log(v / what.low) / std::log(what.high / what.low)
+                            : (v - what.low) / (what.high - what.low);
+  };
+  const float grip = ImGui::GetStyle().GrabMinSize, way = high.x - low.x - grip - 4;
+  const float from = low.x + 2 + way * std::clamp(share(value), 0.f, 1.f), middle = (low.x + high.x - size.x) / 2;
+  const float left = from - kGap - size.x, right = from + grip + kGap;
+  float x = middle;
+  if (middle < right && middle + size.x > from - kGap) {
+    const bool fitsLeft = left >= low.x + kGap, fitsRight = right + size.x <= high.x - kGap;
+    const bool isLeft = fitsLeft && (!fitsRight || middle - left <= right - middle);
+    if (fitsLeft || fitsRight) x = isLeft ? left : right;
+  }
+  ImGui::GetWindowDrawList()->AddText({x, (low.y + high.y - size.y) / 2}, ImGui::GetColorU32(ImGuiCol_Text), text);
+}
+
 /// A button without a look of its own. A finger that stayed on it asked for its name and presses nothing.
 bool pressedItem(const char* id, ImVec2 size) { return ImGui::InvisibleButton(id, size) && !wasLongPress(); }
 
@@ -226,8 +246,11 @@ void namesCommand(const PanelEnv& env, app::CommandId id) { env.ui().controls.ba
 SliderTurn slider(const PanelEnv& env, const Slider& what, float& value) {
   SliderTurn turn;
   const float before = value;
+  const bool isTyped = ImGui::TempInputIsActive(ImGui::GetID(what.id));
+  if (!isTyped) ImGui::PushStyleColor(ImGuiCol_Text, 0);  // its text stands beside the grip, not over it
   turn.changed = ImGui::SliderFloat(what.id, &value, what.low, what.high, what.format,
                                     what.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  if (!isTyped) ImGui::PopStyleColor();
   turn.done = ImGui::IsItemDeactivatedAfterEdit();
   holdSlider(before, value, turn);
   registerControl(env, app::Control::Kind::Slider, what.words);
@@ -242,6 +265,7 @@ SliderTurn slider(const PanelEnv& env, const Slider& what, float& value) {
   ImFormatString(text.data(), text.size(), what.format, static_cast<double>(value));
   control.slide = {static_cast<double>(what.low), static_cast<double>(what.high), static_cast<double>(value),
                    text.data()};
+  if (!isTyped) besideGrip(what, value, text.data());
   return turn;
 }
 

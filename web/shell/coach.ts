@@ -25,6 +25,9 @@ export interface Advised {
 /** Commands that answer a question which is open on the canvas while they can be run. */
 const kAnswers = ['hollow-use', 'cut-use'];
 
+/** The tools that the first visit's steps are about: with another one in hand they say nothing. */
+const kFirstTools = ['draw', 'hand', 'puff', 'sheet', 'pen', 'eraser'];
+
 export class Coach {
   private readonly line = byId('coach');
   private readonly words = byId('coach-words');
@@ -60,6 +63,7 @@ export class Coach {
       if (!view.picture) this.steps = null;
       return null;
     }
+    if (!this.task && !kFirstTools.includes(view.tool)) return null;
     this.steps ??= new Steps(this.task?.steps ?? kFirstVisit, view);
     const step = this.steps.next(view);
     if (step === null) {

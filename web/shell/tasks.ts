@@ -43,7 +43,7 @@ const hasBone = (now: ShellView): boolean => !now.selected || now.selected.kind 
 const otherShape: Done = (now) => now.shaped > 0;
 const outlined: Done = (now) => now.parts > 0 || now.picture?.finished === true;
 
-const stick: TaskStep = { say: 'Press Stick under the list: the parts become one', done: joined };
+const stick: TaskStep = { say: 'Press Stick: the parts become one', done: joined };
 const save: TaskStep = { say: 'Press Save to keep it as a file', done: saved };
 const turn: TaskStep = { say: 'Drag beside the solid to turn it round', done: turned };
 const scoop: TaskStep = { say: 'Press Scoop out, then Make it hollow', done: hollow, answers: 'hollow-use' };

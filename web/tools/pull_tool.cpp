@@ -24,11 +24,14 @@ void PullTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const app::Hover under = pickInSolid(env, event);
   const app::PulledPart part = app::pulledPart(env.document, env.derived, env.ui);
   if (under.pull < 0) {
-    if (under.part != env.ui.selection) other_ = under.part;
+    if (under.part && under.part != env.ui.selection) {  // the line goes on there
+      other_ = env.ui.selection = under.part;
+      env.ui.alsoSelected.clear();
+    }
     outline_ = !under.part;
     reach_ = kOutlineEnds * (event.touch() ? kTouchReach : kMouseReach);
     if (outline_) env.ui.inHand.besideSolid = {event.at};
-    if (!other_ && !outline_) addPlace(env, event.at);
+    if (!outline_) addPlace(env, event.at);
     return;
   }
   const auto number = static_cast<std::size_t>(under.pull);
@@ -57,7 +60,7 @@ void PullTool::addPlace(const ToolEnv& env, app::ClientPoint at) {
 
 void PullTool::move(const ToolEnv& env, const ToolEvent& event) {
   watch_.move(event);
-  if (!watch_.moved() || other_) return;
+  if (!watch_.moved()) return;
   if (outline_) {
     env.ui.inHand.besideSolid.push_back(event.at);
     return;
@@ -77,8 +80,8 @@ void PullTool::commit(const ToolEnv& env) {
   const std::vector<ModelPoint> line = std::move(env.ui.inHand.onSolid);
   const std::vector<app::ClientPoint> stroke = std::move(env.ui.inHand.besideSolid);
   env.ui.inHand = {};
-  if (other_) {
-    if (!watch_.moved()) env.sink.run(app::selectPart, other_, false);
+  if (other_ && !watch_.moved()) {
+    env.sink.run(app::selectPart, other_, false);
   } else if (outline_) {
     if (watch_.moved()) env.sink.run(app::redrawSeenOutline, env.ui.selection, stroke, reach_);
   } else if (knob_ >= 0 && env.ui.preview) {

@@ -131,7 +131,10 @@ void RegionTool::draw(const ToolEnv& env, const ToolEvent& event) {
 void RegionTool::tap(const ToolEnv& env) const {
   const PicturePoint p = toPicture(env, watch_.start());
   const PartId under = app::partAt(env.document, env.derived, env.ui.picture, p, 0);
-  if (under) {
+  // A part of another kind that is selected already may lie on what is meant.
+  const document::Part* selected = document::findPart(env.document, env.ui.selection);
+  const bool isMeant = under && under == env.ui.selection && !document::regionOf(selected->recipe);
+  if (under && !(isMeant && app::cutsOut(env.ui.tool))) {
     env.sink.run(app::selectPart, under, false);
   } else if (app::cutsOut(env.ui.tool)) {
     env.sink.run(app::startCutOut, vision::CutHints{{p}, {}, {}, {}}, PartId{});

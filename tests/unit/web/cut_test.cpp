@@ -283,3 +283,25 @@ TEST_CASE("where nothing can be cut out a sentence says so, and nothing else hap
   CHECK(rig.parts() == 0);
   CHECK(rig.host.said(R"("level":"error")"));
 }
+
+TEST_CASE("a tap on a thing that a bone lies on selects the bone first, and then cuts the thing out") {
+  Rig rig;
+  rig.openBar();
+  REQUIRE(rig.works("draw-spine", R"({"stroke":[[100,40],[100,90]]})"));
+  rig.settle();
+  const double bone = *rig.state().number("selection");
+  REQUIRE(rig.works("puff"));
+  rig.key("Escape", "Escape");
+  REQUIRE(rig.works("select-part", R"({"id":null})"));
+  REQUIRE(rig.works("puff"));
+  const auto tap = [&] {
+    rig.press(100, 65, 100, 65);
+    rig.lift();
+    rig.settle();
+  };
+  tap();
+  CHECK(*rig.state().number("selection") == bone);
+  CHECK(rig.state().find("cut")->isNull());
+  tap();
+  CHECK_FALSE(rig.state().find("cut")->isNull());
+}

@@ -62,9 +62,9 @@ TEST_CASE("a point of a layer is moved, in one step; other curves stay to the la
   REQUIRE(page.top().size() == 2);
   CHECK(page.top()[1] == before.planes.back().curves[1]);
   CHECK(page.top()[0].corners.all);
-  // The board is 60 units wide to either side, from the middle of the layer.
-  CHECK(page.top()[0].through[0].x == doctest::Approx(-60));
-  CHECK(page.top()[0].through[0].y == doctest::Approx(-30));
+  // The board is 75 units wide to either side, from the middle of the layer.
+  CHECK(page.top()[0].through[0].x == doctest::Approx(-75));
+  CHECK(page.top()[0].through[0].y == doctest::Approx(-37.5));
   CHECK(page.top()[0].through[2].x == doctest::Approx(-20));
   CHECK(after.planes.front() == before.planes.front());
   CHECK(after.planes.front().curves[0].forkAt.has_value());

@@ -84,7 +84,7 @@ struct Desk {
     if (rng.below(12) == 0) {
       ui.tool = Layers;
       ui.selection = ui.layers.part = studio.document().parts.back()->id;
-      ui.layers.drawsRail = true;
+      ui.layers.drawsRail = !ui.sections.board;  // which ends it
     }
     ui.chosen = {};
     if (rng.below(2) == 0) ui.chosen.end = ribs::EndRef{};

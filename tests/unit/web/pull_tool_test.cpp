@@ -432,3 +432,23 @@ TEST_CASE("the twin of a part with symmetry is pulled as the part itself") {
   }
   for (const app::Json& pull : page.pulls()) CHECK(*pull.number("points") == 1);
 }
+
+TEST_CASE("a line on a part that is not in hand takes it and pulls there; a tap only takes it") {
+  Pulls page;
+  REQUIRE(page.works("draw-puff", R"({"contours": [[[60, 40], [200, 40], [200, 160], [60, 160]]]})"));
+  page.settle();
+  const double second = *page.state().number("selection");
+  REQUIRE(page.works("home-view"));
+  REQUIRE(page.works("pull"));
+  page.settle();
+  page.tap(page.middle());
+  const double first = *page.state().number("selection");
+  REQUIRE(first != second);
+  CHECK(page.pulls().empty());
+  REQUIRE(page.works("select-part", R"({"id":)" + std::to_string(static_cast<int>(second)) + "}"));
+  page.settle();
+  const auto at = page.middle();
+  page.draw({at, {at.x + 30, at.y + 4}, {at.x + 60, at.y}});
+  CHECK(*page.state().number("selection") == first);
+  CHECK(page.pulls().size() == 1);
+}

@@ -90,6 +90,29 @@ TEST_CASE("a slice drawn on the board is one step of the document, with its hole
   }
 }
 
+TEST_CASE("another tool uses the slice on the board, in one step; what is no slice is left, and can be traced") {
+  PartRig rig;
+  const double before = *rig.state().number("undo");
+  REQUIRE(rig.ok("edit-slice"));
+  rig.drawRing(0.8);
+  REQUIRE(rig.ok("puff"));
+  rig.settle();
+  CHECK(rig.board().isNull());
+  CHECK(rig.state().number("undo") == before + 1);
+  CHECK(*rig.sections()[0].text("section") == "drawn");
+  CHECK(*rig.state().text("tool") == "puff");
+  REQUIRE(rig.ok("draw"));
+  REQUIRE(rig.ok("edit-slice"));
+  REQUIRE(rig.ok("slice-draw", R"({"corners":[[-0.5,-0.5],[0.5,0.5],[0.5,-0.5],[-0.5,0.5]]})"));
+  const std::size_t traces = rig.app->ui().sections.traces.size();
+  REQUIRE(rig.ok("select-part", R"({"id":null})"));
+  rig.settle();
+  CHECK(rig.board().isNull());
+  CHECK(rig.state().find("selection")->isNull());
+  CHECK(rig.state().number("undo") == before + 1);
+  CHECK(rig.app->ui().sections.traces.size() > traces);
+}
+
 TEST_CASE("leaving the board changes nothing; its own undo goes back stroke by stroke") {
   PartRig rig;
   const app::Json before = rig.part();
