@@ -40,12 +40,19 @@ Outcome show(Env env, Operand what) {
   return {};
 }
 
+/// What the arguments say of it; an opening without a depth is as deep as is usual there.
+Outcome readDraft(Env env, const Json& args, CombineParts& draft) {
+  Outcome read = readHollow(env, args, draft.wall, draft.opening);
+  if (read && args.text("opening") && !args.number("depth")) draft.opening.depth = usualDepth(env, draft);
+  return read;
+}
+
 Outcome showHollow(Env env, const Json& args) {
   const std::vector<Operand> all = hollowable(env);
   const Operand what = namedRoot(env, args).value_or(all.empty() ? Operand{} : all.front());
   if (std::ranges::find(all, what) == all.end()) return nothingToHollow();
   CombineParts draft = hollowOf(env, what);
-  if (Outcome read = readHollow(env, args, draft.wall, draft.opening); !read) return read;
+  if (Outcome read = readDraft(env, args, draft); !read) return read;
   const Outcome shown = show(env, what);
   env.ui.solids.hollow = std::move(draft);
   return shown;
@@ -65,7 +72,7 @@ Outcome nextHollow(Env env, const Json&) {
 Outcome openHollowRow(Env env, const Json& args) {
   if (args.text("opening") == nullptr) return missing("an opening");
   CombineParts draft = *env.ui.solids.hollow;
-  if (Outcome read = readHollow(env, args, draft.wall, draft.opening); !read) return read;
+  if (Outcome read = readDraft(env, args, draft); !read) return read;
   env.ui.solids.hollow = std::move(draft);
   return {};
 }
@@ -109,8 +116,7 @@ Outcome tapHollow(Env env, PartId part, WorldPoint way) {
   if (!isShown(env)) return Refusal{"NotNow", "Nothing is being scooped out."};
   CombineParts& draft = *env.ui.solids.hollow;
   if (becomesHollow(env.studio.document(), env.ui, part)) {
-    draft.opening.side = sideOf(env, draft, way);
-    return {};
+    return openHollow(env, sideOf(env, draft, way));
   }
   const document::Step* root = rootOf(env.studio.document(), {part, {}});
   const Operand what = root != nullptr ? Operand{{}, root->id} : Operand{part, {}};
@@ -119,7 +125,10 @@ Outcome tapHollow(Env env, PartId part, WorldPoint way) {
 }
 
 Outcome openHollow(Env env, document::OpeningSide side) {
-  if (isShown(env)) env.ui.solids.hollow->opening.side = side;
+  if (!isShown(env)) return {};
+  CombineParts& draft = *env.ui.solids.hollow;
+  draft.opening.side = side;
+  draft.opening.depth = usualDepth(env, draft);
   return {};
 }
 

@@ -16,6 +16,11 @@ namespace spineloft::app {
 namespace {
 
 using document::Operand;
+
+constexpr double kWideMouth = 0.6, kMouthBelow = 0.2;  // of what the end is wide so far below it; share of the length
+constexpr int kHalvings = 6;
+constexpr double kFacing = 0.9, kOnePlane = 0.9998, kLid = 0.7;  // cosines; share of what faces the opening
+
 using publish::SolidPlan;
 
 WorldPoint placed(const SolidPlan::Operand& leaf, const std::array<float, 3>& p) {
@@ -140,6 +145,73 @@ Curve longestOf(const Crossing& crossing) {
   return curves.empty() ? Curve{} : *std::ranges::max_element(curves, {}, &Curve::length);
 }
 
+/// What opens in a direction, and how far it reaches that way.
+struct Opened {
+  Planned then;
+  WorldPoint out;  ///< unit
+  std::vector<SolidPlan::Operand> leaves;
+  std::vector<std::vector<WorldPoint>> corners;  ///< of each leaf
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  WorldPoint top;  ///< its outermost corner
+
+  double length() const { return high - low; }
+  Crossing at(double level, std::size_t leaf) const {
+    std::vector<double> heights;
+    for (const WorldPoint& p : corners[leaf]) heights.push_back(dot(p, out) - level);
+    return crossingOf(*then.plan.meshes[leaves[leaf].mesh].mesh, corners[leaf], heights);
+  }
+  /// How long the longest closed curve is in which the surface meets this height.
+  double around(double level) const {
+    double most = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i) most = std::max(most, longestOf(at(level, i)).length);
+    return most;
+  }
+};
+
+/// Whether most of what looks towards the opening is one flat lid, which may lean: the solver opens all of it
+/// (squareToLid in web/shell/solids/fields.ts).
+bool hasLid(const Opened& opened) {
+  std::vector<WorldPoint> facing;  // normals, as long as twice the area
+  WorldPoint lean;
+  double all = 0, flat = 0;
+  for (std::size_t i = 0; i < opened.leaves.size(); ++i) {
+    const std::vector<WorldPoint>& at = opened.corners[i];
+    for (const auto& t : opened.then.plan.meshes[opened.leaves[i].mesh].mesh->triangles) {
+      const WorldPoint normal = cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+      if (!(dot(normal, opened.out) > kFacing * norm(normal))) continue;
+      lean = lean + normal;
+      all += norm(normal);
+      facing.push_back(normal);
+    }
+  }
+  for (const WorldPoint& normal : facing) {
+    if (dot(normal, lean) >= kOnePlane * norm(normal) * norm(lean)) flat += norm(normal);
+  }
+  return flat > kLid * all;
+}
+
+/// None: it stays closed, or something in it has no shape.
+std::optional<Opened> openedBy(const document::Document& document, const pipeline::Derived& derived,
+                               const document::CombineParts& draft) {
+  auto then = planned(document, derived, draft);
+  if (!then || !then->node->opening) return std::nullopt;
+  const auto& way = *then->node->opening;
+  Opened opened;
+  opened.out = {way[0], way[1], way[2]};
+  opened.then = std::move(*then);
+  opened.leaves = leavesOf(opened.then.plan, *opened.then.node);
+  for (const SolidPlan::Operand& leaf : opened.leaves) {
+    for (const WorldPoint& p : opened.corners.emplace_back(cornersOf(opened.then.plan, leaf))) {
+      const double along = dot(p, opened.out);
+      opened.low = std::min(opened.low, along);
+      if (along <= opened.high) continue;
+      opened.high = along;
+      opened.top = p;
+    }
+  }
+  return opened.low < opened.high ? std::optional(std::move(opened)) : std::nullopt;
+}
+
 bool canBeHollow(const document::Document& document, Operand what) {
   const document::Step* step = findStep(document, what.step);
   if (step != nullptr) return step->visible && step->kind != document::StepKind::Hollow;
@@ -170,7 +242,22 @@ std::vector<Operand> hollowable(const CommandEnv& env) {
 document::CombineParts hollowOf(const CommandEnv& env, Operand what) {
   document::CombineParts draft = draftOf(what);
   draft.opening.side = sideOf(env, draft, {0, 1, 0});
+  draft.opening.depth = usualDepth(env, draft);
   return draft;
+}
+
+double usualDepth(const CommandEnv& env, const document::CombineParts& draft) {
+  const auto opened = openedBy(env.studio.document(), env.studio.derived(), draft);
+  if (!opened || hasLid(*opened)) return 0;
+  // The inside is about as wide at a depth as the outside is a wall nearer to the end.
+  const auto around = [&](double share) { return opened->around(opened->high - share * opened->length()); };
+  const double wanted = kWideMouth * around(kMouthBelow);
+  double low = 0, high = kMouthBelow;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (around(middle) >= wanted ? high : low) = middle;
+  }
+  return std::min(high + draft.wall / opened->length(), document::kMostOpening);
 }
 
 document::OpeningSide sideOf(const CommandEnv& env, const document::CombineParts& draft, const WorldPoint& direction) {
@@ -186,29 +273,14 @@ bool becomesHollow(const document::Document& document, const UiState& ui, PartId
 
 std::optional<Mouth> mouthOf(const document::Document& document, const pipeline::Derived& derived,
                              const document::CombineParts& draft) {
-  const auto then = planned(document, derived, draft);
-  if (!then || !then->node->opening) return std::nullopt;
-  const auto& way = *then->node->opening;
-  Mouth mouth{{}, {way[0], way[1], way[2]}, {}};
-  const std::vector<SolidPlan::Operand> leaves = leavesOf(then->plan, *then->node);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  std::vector<std::vector<WorldPoint>> corners;
-  for (const SolidPlan::Operand& leaf : leaves) {
-    for (const WorldPoint& p : corners.emplace_back(cornersOf(then->plan, leaf))) {
-      const double along = dot(p, mouth.out);
-      low = std::min(low, along);
-      if (along <= high) continue;
-      high = along;
-      mouth.at = p;  // should the plane meet nothing
-    }
-  }
-  if (!(low < high)) return std::nullopt;
-  const double level = high - std::max(draft.opening.depth * (high - low), std::min(draft.wall, (high - low) / 4));
+  const auto opened = openedBy(document, derived, draft);
+  if (!opened) return std::nullopt;
+  Mouth mouth{opened->top, opened->out, {}};  // should the plane meet nothing
+  const double length = opened->length();
+  const double level = opened->high - std::max(draft.opening.depth * length, std::min(draft.wall, length / 4));
   double longest = 0;
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    std::vector<double> heights;
-    for (const WorldPoint& p : corners[i]) heights.push_back(dot(p, mouth.out) - level);
-    const Crossing crossing = crossingOf(*then->plan.meshes[leaves[i].mesh].mesh, corners[i], heights);
+  for (std::size_t i = 0; i < opened->leaves.size(); ++i) {
+    const Crossing crossing = opened->at(level, i);
     mouth.rim.insert(mouth.rim.end(), crossing.segments.begin(), crossing.segments.end());
     const Curve curve = longestOf(crossing);
     if (curve.length <= longest) continue;

@@ -18,11 +18,15 @@ namespace spineloft::app {
 /// Cost: O(triangles).
 std::vector<document::Operand> hollowable(const CommandEnv& env);
 
-/// A hollow of `what` as it is offered: the usual wall, open at the side that looks up.
+/// A hollow of `what` as it is offered: the usual wall, open at the side that looks up, and wide there.
 document::CombineParts hollowOf(const CommandEnv& env, document::Operand what);
 
 /// The side of what `draft` makes hollow that looks most in this direction (WorldSpace, any length).
 document::OpeningSide sideOf(const CommandEnv& env, const document::CombineParts& draft, const WorldPoint& direction);
+
+/// How much to cut off at the opening of `draft`, as document::Opening has it: nothing at an end that is flat; of a
+/// round one so much that the opening is wide. Cost: O(triangles).
+double usualDepth(const CommandEnv& env, const document::CombineParts& draft);
 
 /// Whether the part is in what is shown to become hollow.
 bool becomesHollow(const document::Document& document, const UiState& ui, PartId part);

@@ -304,6 +304,35 @@ TEST_CASE("the mouth that is shown follows side, depth and place as one that is 
   isSame();
 }
 
+TEST_CASE("a round end is cut off where the opening is wide, a flat one stays whole, also where it leans") {
+  Desk desk;
+  const auto depthOf = [&](PartId part, document::OpeningSide side) {
+    document::CombineParts draft = app::hollowOf(desk.env, {part, {}});
+    draft.opening.side = side;
+    return app::usualDepth(desk.env, draft);
+  };
+  const auto width = [&](PartId part, document::OpeningSide side, double depth) {
+    const auto mouth = desk.mouth(side, depth, part);
+    double round = 0;
+    for (const auto& [a, b] : mouth->rim) round += distance(a, b);
+    return round;
+  };
+  desk.run("draw-shape", R"({"kind":"ball","axis":[[150,80],[150,40]]})");
+  desk.run("draw-shape", R"({"kind":"cylinder","axis":[[40,80],[40,40]]})");
+  desk.studio.derived();
+  for (const document::OpeningSide side : {document::OpeningSide::Up, document::OpeningSide::Front}) {
+    const double depth = depthOf(PartId{2}, side);
+    CHECK(depth > 0.05);
+    CHECK(depth < 0.25);
+    CHECK(width(PartId{2}, side, depth) > 0.5 * width(PartId{2}, side, 0.5));
+  }
+  CHECK(depthOf(PartId{3}, document::OpeningSide::Up) == 0);
+  desk.run("set-place", R"({"part": 3, "z": 15})");
+  desk.studio.derived();
+  CHECK(depthOf(PartId{3}, document::OpeningSide::Up) == 0);
+  CHECK(depthOf(PartId{3}, document::OpeningSide::None) == 0);
+}
+
 TEST_CASE("where a wall is too thick, the one that fits is a press away") {
   test::TwoBars rig;
   rig.run("scoop-out", R"({"part": 1})");
