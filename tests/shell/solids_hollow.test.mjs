@@ -38,6 +38,11 @@ test('a hollow is as thick as its wall, open where it should be', () => {
   const half = solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.05, opening: [1, 0, 0], cut: 0.5 })], meshes);
   near(lawful(half, 'cut off').volume, outer / 2 - Math.PI * 0.2 ** 2 * 0.45, 0.04, 'what is left of half of it');
   assert.ok(half.mesh.positions.every((x, i) => i % 3 !== 0 || x < 0.5 + 1e-5));
+  assert.deepEqual(
+    half.mesh.runs.map(({ part }) => part),
+    [1],
+    'the rim looks as the body does',
+  );
   const thick = solve(kernel, [node([rod(1)], { kind: 'hollow', wall: 0.3 })], meshes).failure;
   assert.deepEqual([thick.error, thick.part], ['WallTooThick', 1]);
   assert.ok(Math.hypot(thick.at[1], thick.at[2]) < 0.05, 'it is shown on the middle line, where the most room is');
