@@ -1,7 +1,7 @@
 // Parts drawn layer by layer, by real pointers. What else the tool does is said by tests/unit/web/layers_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { findControl, onCanvas, press, strokeAlong } from './support/hands.mjs';
+import { findControl, onBoard, onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { exported, idle, kPhone, kSharp, onPage, pixels, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -203,6 +203,39 @@ for (const [device, options] of [
       assert.deepEqual([now.undo, now.sheet.drawsRail, now.parts[0].failure], [steps + 1, false, null]);
       await run(page, 'undo');
       assert.equal((await state(page)).undo, steps);
+    }));
+}
+
+for (const [device, options] of [
+  ['mouse', {}],
+  ['finger', kPhone],
+]) {
+  test(`a layer is changed by its points on the board, and kept by another tool: by ${device}`, () =>
+    onPage(kit, { hasTouch: true, ...options }, async (page) => {
+      await paper(page);
+      await draw(page, device, circle(0, 0, 0.4));
+      const before = await exported(page, 'stl');
+      const { undo } = await state(page);
+      await run(page, 'edit-slice');
+      await idle(page);
+      const [[x, y]] = (await state(page)).sliceBoard.curves[0];
+      const way = await onBoard(
+        page,
+        [1, 0.8, 0.6, 0.5].map((t) => [t * x, t * y]),
+      );
+      await strokeAlong(page, device, way);
+      const { curves, undo: steps } = (await state(page)).sliceBoard;
+      assert.ok(Math.hypot(curves[0][0][0] - x / 2, curves[0][0][1] - y / 2) < 0.05, `${curves[0][0]}`);
+      assert.equal(steps, 1);
+      await run(page, 'draw');
+      await idle(page);
+      const now = await state(page);
+      assert.equal(now.sliceBoard, null);
+      assert.equal(now.undo, undo + 1);
+      assert.ok(!(await exported(page, 'stl')).equals(before));
+      await run(page, 'undo');
+      await idle(page);
+      assert.ok((await exported(page, 'stl')).equals(before));
     }));
 }
 

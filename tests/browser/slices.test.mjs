@@ -1,7 +1,7 @@
 // Slices by real pointers: drawn on the board, dragged out of the panel, kept on the shelf, and what reaches the file.
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { dragMouse, placeOf, strokeAlong } from './support/hands.mjs';
+import { dragMouse, onBoard, placeOf, strokeAlong } from './support/hands.mjs';
 import {
   done,
   exported,
@@ -26,14 +26,6 @@ const withPart = (options, work) =>
     await openWithPart(page, tube.png, tube.middle);
     await work(page);
   });
-
-/** Client positions of places of the board's square. */
-async function onBoard(page, points) {
-  const [x, y, side] = (await state(page)).sliceBoard.square;
-  const box = await page.locator('#canvas').boundingBox();
-  const half = side / 2 / 1.18;
-  return points.map(([px, py]) => ({ x: box.x + x + side / 2 + px * half, y: box.y + y + side / 2 - py * half }));
-}
 
 const ring = (radius, count = 14) =>
   Array.from({ length: count }, (_, i) => {

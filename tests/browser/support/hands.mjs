@@ -140,6 +140,14 @@ export async function onCanvas(page, ...points) {
 
 const middleOf = ({ at: [x, y, width, height] }) => [x + width / 2, y + height / 2];
 
+/** Client positions of places of the square of the board for slices. */
+export async function onBoard(page, points) {
+  const [x, y, side] = (await state(page)).sliceBoard.square;
+  const box = await page.locator('#canvas').boundingBox();
+  const half = side / 2 / 1.18;
+  return points.map(([px, py]) => ({ x: box.x + x + side / 2 + px * half, y: box.y + y + side / 2 - py * half }));
+}
+
 /**
  * What a panel on the canvas shows with these words, of this kind (button, row, grip, field, slider, section, tab) where
  * one is given; `row`: beside the row with that name. Null when there is none.

@@ -1,6 +1,7 @@
 // Recipes of every kind of part after somebody changed them in a text editor.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -34,31 +35,22 @@ void collect(Json& value, Json* holder, const std::string& key, std::size_t inde
 }
 
 double changedNumber(double number, Rng& rng) {
-  switch (rng.below(7)) {
-    case 0:
-      return 0;
-    case 1:
-      return -number;
-    case 2:
-      return number * 1e6;
-    case 3:
-      return 1e300;
-    case 4:
-      return number + 1;
-    default:
-      return number * rng.uniform(0.5, 2);
-  }
+  if (rng.below(4) != 0) return number * rng.uniform(0.8, 1.25) + rng.uniform(-2, 2);
+  const std::array wild{0.0, -number, number * 1e6, 1e300, number + 1};
+  return wild[rng.below(wild.size())];
 }
 
-/// One change that a hand, or a program with a mistake, could make.
+/// One change that a hand, or a program with a mistake, could make: mostly of a number.
 void change(Json& recipe, Rng& rng) {
   std::vector<Place> places;
   collect(recipe, nullptr, {}, 0, places);
   if (places.empty()) return;
   const auto draw = [&] { return places[rng.below(static_cast<std::uint32_t>(places.size()))]; };
   const Place place = draw();
-  if (place.value->is_number() && rng.below(4) != 0) {
+  if (place.value->is_number() && rng.below(12) != 0) {
     *place.value = changedNumber(place.value->get<double>(), rng);
+  } else if (place.value->is_number() || rng.below(3) != 0) {
+    return;
   } else if (rng.below(3) == 0) {
     const Json other = *draw().value;
     *place.value = other;
