@@ -2,10 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "engine/geometry/region.h"
@@ -58,7 +56,8 @@ Outcome reportPrint(const CommandEnv& env);
 /// Leaves the thing that is being cut out; nothing without one.
 void closeCut(const CommandEnv& env);
 /// The same once its picture or its part is gone. With another tool, picture or board in hand what is shown becomes the
-/// part, as by "Use this"; a part that was selected meanwhile stays selected.
+/// part, as by "Use this", when it is found; a part that was selected meanwhile stays selected. Waits while a gesture
+/// is in hand.
 void settleCut(const CommandEnv& env);
 
 // Puffs.
@@ -67,9 +66,14 @@ Status actOnPuffs(const CommandEnv& env, const std::vector<PartId>& parts, std::
                   std::string_view burst = {});
 
 // Sections.
-/// With another tool or part in hand what is drawn on the board is used, as by "Done", or left where it is no slice
-/// yet; a part that was selected meanwhile stays selected. `with`: what was in hand when the board was opened.
-void settleBoard(const CommandEnv& env, std::optional<std::pair<ToolKind, PartId>>& with);
+/// Closes the board when its part is gone. With another tool or part in hand what is drawn on it is used, as by "Done",
+/// or left where it is no slice yet; a part that was selected meanwhile stays selected. Waits while a gesture is in
+/// hand.
+void settleBoard(const CommandEnv& env);
+
+// Layers.
+/// The part has this recipe now, with the sheet at this place; without a part it is a new one.
+Outcome keepLayers(const CommandEnv& env, PartId part, const document::StackRecipe& recipe, double at);
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
 Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.

@@ -340,13 +340,17 @@ void settleCut(const CommandEnv& env) {
   const bool gone =
       !document::findPicture(document, draft.picture) || (draft.part && !document::findPart(document, draft.part));
   if (gone) return closeCut(env);
-  const bool stays = draft.atOnce || cutsOut(env.ui.tool);
-  if (stays && env.ui.picture == draft.picture && !env.ui.sections.board) return;
-  if (draft.atOnce || draft.shape.contours.empty()) return closeCut(env);
+  if (draft.atOnce || (env.hand != nullptr && env.hand->holds())) return;
+  const bool isBoard = env.ui.sections.board.has_value();
+  if (cutsOut(env.ui.tool) && env.ui.picture == draft.picture && !isBoard) return;
+  if (draft.shape.contours.empty()) return closeCut(env);
   // Who goes on to other work has not said no to what is shown: one step of undo takes it back.
-  env.studio.stopCutOut();
+  if (draft.searching) {
+    env.ui.cut->atOnce = true;
+    return;
+  }
   const PartId selected = env.ui.selection;
-  const bool goesOn = static_cast<bool>(selected) && selected != draft.selected;
+  const bool goesOn = isBoard || (static_cast<bool>(selected) && selected != draft.selected);
   if (const Outcome done = take(env); !done) {
     sendError(env.host, done.refusal().sentence);
     return closeCut(env);

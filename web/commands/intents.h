@@ -184,8 +184,9 @@ struct DrawLineIntent {
   std::vector<LineId> replaces = {};  ///< lines of its drawing that go
 };
 Outcome drawLine(const CommandEnv& env, const DrawLineIntent& intent);
-/// From a loose end of the line to the nearest end: its own other one, or that of another line.
-Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line);
+/// From a loose end of the line, the one at `end` where that is stated, to the nearest end: its own other one, which
+/// closes the line, or that of another line.
+Outcome closeLine(const CommandEnv& env, DrawingId drawing, LineId line, std::optional<PicturePoint> end);
 /// Of crossingsOn the picture in view: who is behind comes to the front there.
 Outcome swapCrossing(const CommandEnv& env, int crossing);
 Outcome chooseCrossing(const CommandEnv& env, int crossing);

@@ -471,6 +471,10 @@ constexpr std::array kTable = {
 
 }  // namespace
 
+Outcome keepLayers(Env env, PartId part, const document::StackRecipe& recipe, double at) {
+  return keep(env, part, recipe, at);
+}
+
 Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
   const auto sheet = sheetAt(env, intent.part, intent.at);
   if (!sheet) return noSheet();

@@ -90,7 +90,9 @@ Outcome drawLineRow(Env env, const Json& args) {
   const PictureId picture = args.find("picture") ? PictureId{idFrom(args, "picture").value} : env.ui.picture;
   return drawLine(env, {picture, *points, std::move(*hidden), args.flag("closed").value_or(false)});
 }
-Outcome closeLineRow(Env env, const Json& args) { return closeLine(env, drawingFrom(env, args), lineFrom(args)); }
+Outcome closeLineRow(Env env, const Json& args) {
+  return closeLine(env, drawingFrom(env, args), lineFrom(args), std::nullopt);
+}
 Outcome hideLine(Env env, const Json& args) {
   auto hidden = hiddenFrom(args);
   if (!hidden || args.find("hidden") == nullptr) return missingHidden();
@@ -343,11 +345,13 @@ Outcome drawLine(Env env, const DrawLineIntent& intent) {
   return closing(env, std::move(actions), intent.picture);
 }
 
-Outcome closeLine(Env env, DrawingId id, LineId line) {
+Outcome closeLine(Env env, DrawingId id, LineId line, std::optional<PicturePoint> end) {
   const document::Drawing* drawing = document::findDrawing(env.studio.document(), id);
   if (drawing == nullptr) return refuse({Error::NoSuchLine, {}});
-  if (const auto way = wayToClose(env.studio.document(), env.studio.derived(), id, line)) {
-    return drawLine(env, {drawing->picture, {(*way)[0], (*way)[1]}, {}, false});
+  if (const auto way = wayToClose(env.studio.document(), env.studio.derived(), {id, line, {}}, end)) {
+    DrawLineIntent joint{drawing->picture, {way->from, way->to}, {}, false, {}};
+    if (way->hidden) joint.hidden = {{0, 1}};
+    return drawLine(env, joint);
   }
   return closing(env, {document::CloseLine{id, line, env.ui.look}}, drawing->picture);
 }

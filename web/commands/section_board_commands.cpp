@@ -31,7 +31,11 @@ bool canUndo(Env env) {
 bool canRedo(Env env) { return isOpen(env) && !boardOf(env)->future.empty(); }
 bool hasCurves(Env env) { return isOpen(env) && !boardOf(env)->drawing.empty(); }
 bool hasPoint(Env env) { return isOpen(env) && boardOf(env)->point.has_value(); }
-bool canEdit(Env env) { return !env.studio.document().pictures.empty(); }
+bool canEdit(Env env) {
+  if (env.studio.document().pictures.empty()) return false;
+  const auto sheet = shownPlace(env.studio.document(), env.ui);
+  return !sheet || !hasOpenCurves(*sheet);
+}
 bool leftRight(Env env) { return isOpen(env) && boardOf(env)->symmetry.leftRight; }
 bool isFree(Env env) { return isOpen(env) && !boardOf(env)->profile; }
 bool frontBack(Env env) { return isOpen(env) && boardOf(env)->symmetry.frontBack; }
@@ -90,6 +94,7 @@ Outcome editLayer(Env env, const Sheet& sheet) {
     return Refusal{"StackInvalid", "Lines that end are drawn again on the sheet: the board takes closed ones."};
   }
   if (sheet.part) env.ui.selection = sheet.part;
+  placeSheet(env.ui, sheet, sheet.at);
   openLayerBoard(env.ui, sheet);
   sendStatus(env.host, "Draw the slice as a closed curve. Enter when it is done, Escape to leave.");
   return {};
@@ -99,11 +104,62 @@ Outcome editLayer(Env env, const Sheet& sheet) {
 Outcome keepLayer(Env env) {
   const auto sheet = sheetOfBoard(env.studio.document(), env.ui);
   if (!sheet) return refuse({Error::NotAStack, {}});
-  if (!sheet->layer) return drawLayer(env, {sheet->part, sheet->at, curvesOnBoard(*boardOf(env))});
-  return remakeLayers(env, sheet->part, withBoard(*sheet, *boardOf(env)));
+  const double at = sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at;
+  return keepLayers(env, sheet->part, withBoard(*sheet, *boardOf(env)), at);
+}
+
+/// What is drawn becomes the slice, and the board is closed. Refused: it is no slice, or its part is another one.
+Outcome use(Env env) {
+  const SectionBoard& board = *boardOf(env);
+  if (board.past.empty()) {  // nothing changed
+    closeBoard(env.ui);
+    return {};
+  }
+  Result<sections::SectionShape> made = shapeOnBoard(board);
+  if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
+  const sections::SectionShape shape = std::move(made).value();
+  const document::Part* part = document::findPart(env.studio.document(), board.part);
+  const bool isLayer = board.sheet.has_value();
+  const bool isSame = part == nullptr ? !board.part
+                      : isLayer       ? document::stackOf(*part) != nullptr
+                      : board.profile ? document::inflateOf(*part) != nullptr
+                                      : document::loftOf(*part) != nullptr;
+  if (!isSame) return noPart();
+  if (isLayer) {
+    if (const Outcome kept = keepLayer(env); !kept) return kept;
+  } else if (part && board.profile) {
+    inflate::InflateParams params = document::inflateOf(*part)->inflate;
+    auto& slices = params.profile.slices;
+    if (slices.empty()) slices.resize(1);
+    slices[std::min(board.key, slices.size() - 1)].shape = shape;
+    const Status status = env.studio.act(document::ShapeRegion{part->id, params});
+    if (!status) return refuse(status.failure());
+  } else if (part) {
+    std::vector<loft::SectionKey> keys = document::loftIn(*part).loft.sections;
+    keys[std::min(board.key, keys.size() - 1)].shape = shape;
+    const Status status = env.studio.act(document::SetSections{part->id, std::move(keys)});
+    if (!status) return refuse(status.failure());
+  }
+  if (!board.profile && !isLayer) env.ui.section = shape;
+  closeBoard(env.ui);
+  sendStatus(env.host, "The slice is done, and on your shelf.");
+  if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
+  return {};
+}
+
+/// For who goes on with other work: what is no slice can be traced.
+void useOrLeave(Env env) {
+  const Outcome used = use(env);
+  if (used) return;
+  for (const sections::DrawnCurve& curve : boardOf(env)->drawing) {
+    keepTrace(env.ui.sections, sections::outlineOf(curve));
+  }
+  sendHint(env.host, used.refusal().sentence);
+  closeBoard(env.ui);
 }
 
 Outcome editSection(Env env, const Json& args) {
+  if (isOpen(env)) useOrLeave(env);
   if (const document::Part* puff = puffOf(env, args)) return editProfile(env, *puff, args);
   if (const auto sheet = sheetMeant(env, args)) return editLayer(env, *sheet);
   const document::Part* part = loftPartOf(env, args);
@@ -126,37 +182,8 @@ Outcome editSection(Env env, const Json& args) {
 }
 
 Outcome done(Env env, const Json&) {
-  const SectionBoard& board = *boardOf(env);
-  if (board.past.empty()) {  // nothing changed
-    closeBoard(env.ui);
-    return {};
-  }
-  Result<sections::SectionShape> made = shapeOnBoard(board);
-  if (!made) return Refusal{std::string(errorName(made.error())), made.failure().detail};
-  const sections::SectionShape shape = std::move(made).value();
-  const document::Part* part = document::findPart(env.studio.document(), board.part);
-  const bool isLayer = board.sheet.has_value();
-  if (isLayer) {
-    if (const Outcome kept = keepLayer(env); !kept) return kept;
-  } else if (part && board.profile) {
-    inflate::InflateParams params = document::inflateOf(*part)->inflate;
-    auto& slices = params.profile.slices;
-    if (slices.empty()) slices.resize(1);
-    slices[std::min(board.key, slices.size() - 1)].shape = shape;
-    const Status status = env.studio.act(document::ShapeRegion{part->id, params});
-    if (!status) return refuse(status.failure());
-  } else if (part) {
-    std::vector<loft::SectionKey> keys = document::loftIn(*part).loft.sections;
-    keys[std::min(board.key, keys.size() - 1)].shape = shape;
-    const Status status = env.studio.act(document::SetSections{part->id, std::move(keys)});
-    if (!status) return refuse(status.failure());
-  }
-  if (!board.profile && !isLayer) env.ui.section = shape;
-  closeBoard(env.ui);
-  sendStatus(env.host, "The slice is done, and on your shelf.");
-  if (const Outcome kept = keepOnShelf(env, shape, nullptr); !kept) sendHint(env.host, kept.refusal().sentence);
-  const bool sheetShows = isLayer && shownSheet(env.studio.document(), env.ui);
-  return sheetShows ? seeSheet(env) : Outcome();
+  Outcome used = use(env);
+  return used && shownPlace(env.studio.document(), env.ui) ? seeSheet(env) : used;
 }
 
 void leave(Env env) {
@@ -441,20 +468,16 @@ constexpr std::array kTable = {
 
 }  // namespace
 
-void settleBoard(Env env, std::optional<std::pair<ToolKind, PartId>>& with) {
-  if (!isOpen(env)) return with.reset();
+void settleBoard(Env env) {
+  if (!isOpen(env)) return;
+  const SectionBoard& board = *boardOf(env);
+  if (board.part && !document::findPart(env.studio.document(), board.part)) return closeBoard(env.ui);
   const PartId selected = env.ui.selection;
-  if (!with) with = {env.ui.tool, selected};
-  if (*with == std::pair{env.ui.tool, selected}) return;
-  if (const Outcome used = done(env, {}); !used) {
-    for (const sections::DrawnCurve& curve : boardOf(env)->drawing) {
-      keepTrace(env.ui.sections, sections::outlineOf(curve));
-    }
-    sendHint(env.host, used.refusal().sentence);
-    closeBoard(env.ui);
-  }
-  if (with->second != selected) env.ui.selection = selected;
-  with.reset();
+  const bool elsewhere = selected != board.selected0;
+  const bool waits = env.hand != nullptr && env.hand->holds();
+  if (waits || (!elsewhere && env.ui.tool == board.tool0)) return;
+  useOrLeave(env);
+  if (elsewhere) env.ui.selection = selected;
 }
 
 Outcome useBoardTool(Env env, BoardTool tool) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -60,6 +60,12 @@ stack::Curve curveOf(const BoardOnSheet& place, const sections::DrawnCurve& draw
   return before;
 }
 
+SectionPoint middleOf(const sections::DrawnCurve& curve) {
+  SectionPoint sum;
+  for (const sections::DrawnPoint& point : curve.points) sum = sum + point.at;
+  return sum / static_cast<double>(curve.points.size());
+}
+
 const std::vector<stack::Curve>* curvesOn(const Sheet& sheet) {
   return sheet.layer ? &sheet.recipe.planes[*sheet.layer].curves : nullptr;
 }
@@ -79,7 +85,12 @@ void openLayerBoard(UiState& ui, const Sheet& sheet) {
   const ModelPoint right = sheet.stand.x, front = sheet.stand.y;
   SectionBoard board;
   board.part = sheet.part;
-  board.sheet = {sheet.at, sheet.turn, middle, isNew ? half : kRoom * half, right.x > kLevel && front.z > kLevel};
+  board.sheet = {sheet.recipe.picture,
+                 sheet.at,
+                 sheet.turn,
+                 middle,
+                 isNew ? half : kRoom * half,
+                 right.x > kLevel && front.z > kLevel};
   for (const stack::Curve& curve : own ? *own : std::vector<stack::Curve>()) {
     board.drawing.push_back(drawnOf(*board.sheet, curve));
   }
@@ -95,7 +106,7 @@ void openLayerBoard(UiState& ui, const Sheet& sheet) {
 std::optional<Sheet> sheetOfBoard(const document::Document& document, const UiState& ui) {
   if (!ui.sections.board || !ui.sections.board->sheet) return std::nullopt;
   const SectionBoard& board = *ui.sections.board;
-  return sheetFor(document, board.part, ui.picture, board.sheet->at, board.sheet->turn);
+  return sheetFor(document, board.part, board.sheet->picture, board.sheet->at, board.sheet->turn);
 }
 
 std::vector<stack::Curve> curvesOnBoard(const SectionBoard& board) {
@@ -120,10 +131,26 @@ StackRecipe withBoard(const Sheet& sheet, const SectionBoard& board) {
   }
   StackRecipe recipe = sheet.recipe;
   std::vector<stack::Curve>& curves = recipe.planes[*sheet.layer].curves;
-  const std::size_t common = std::min(changed.size(), fresh.size());
-  for (std::size_t k = 0; k < common; ++k) curves[changed[k]] = curveOf(place, fresh[k], curves[changed[k]]);
-  for (std::size_t k = changed.size(); k-- > common;) dropCurve(recipe, *sheet.layer, changed[k]);
-  for (std::size_t k = common; k < fresh.size(); ++k) curves.push_back(curveOf(place, fresh[k], {}));
+  // Those that are nearest to each other are the same curve.
+  while (!changed.empty() && !fresh.empty()) {
+    std::pair<std::size_t, std::size_t> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+      const SectionPoint before = middleOf(drawnOf(place, (*own)[changed[i]]));
+      for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const double away = distance(before, middleOf(fresh[k]));
+        if (away >= least) continue;
+        least = away;
+        nearest = {i, k};
+      }
+    }
+    const auto [i, k] = nearest;
+    curves[changed[i]] = curveOf(place, fresh[k], curves[changed[i]]);
+    changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
+    fresh.erase(fresh.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  for (std::size_t k = changed.size(); k-- > 0;) dropCurve(recipe, *sheet.layer, changed[k]);
+  for (const sections::DrawnCurve& drawn : fresh) curves.push_back(curveOf(place, drawn, {}));
   return recipe;
 }
 

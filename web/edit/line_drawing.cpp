@@ -16,12 +16,13 @@
 namespace spineloft::app {
 namespace {
 
-constexpr double kApart = 44;      // CSS pixels between crossings: a fingertip
-constexpr int kRounds = 24;        // in which they move apart
-constexpr double kThinning = 0.4;  // picture pixels that a line as kept is off the one as drawn
-constexpr double kLongEnough = 3;  // times its gap: shorter lines do not close
-constexpr double kUpright = 0.01;  // radians: what leans less stands
-constexpr double kMostCut = 0.34;  // of a line: an end is neither cut nor led onto a line by more
+constexpr double kApart = 44;        // CSS pixels between crossings: a fingertip
+constexpr int kRounds = 24;          // in which they move apart
+constexpr double kThinning = 0.4;    // picture pixels that a line as kept is off the one as drawn
+constexpr double kSamePlace = 1e-6;  // picture pixels
+constexpr double kLongEnough = 3;    // times its gap: shorter lines do not close
+constexpr double kUpright = 0.01;    // radians: what leans less stands
+constexpr double kMostCut = 0.34;    // of a line: an end is neither cut nor led onto a line by more
 
 /// Calls `each(drawing, derived drawing)` for those on a picture.
 template <class Each>
@@ -82,6 +83,16 @@ bool isOnLine(const document::Drawing& drawing, PicturePoint p, double reach) {
   return std::ranges::any_of(drawing.lines, [&](const document::DrawnLine& line) {
     return geometry::distanceToLine(p, std::span<const PicturePoint>(line.points), line.closed) <= reach;
   });
+}
+
+/// Its points, and between them at least one in each `step`.
+std::vector<PicturePoint> placesAlong(const std::vector<PicturePoint>& line, double step) {
+  std::vector<PicturePoint> places{line.front()};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double pieces = std::ceil(std::max(1.0, distance(line[i - 1], line[i]) / step));
+    for (double k = 1; k <= pieces; ++k) places.push_back(lerp(line[i - 1], line[i], k / pieces));
+  }
+  return places;
 }
 
 /// Brings the last point of a line to what is there.
@@ -216,23 +227,29 @@ std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipe
   return ends;
 }
 
-std::optional<std::array<PicturePoint, 2>> wayToClose(const document::Document& document,
-                                                      const pipeline::Derived& derived, DrawingId id, LineId line) {
-  const document::Drawing* drawing = document::findDrawing(document, id);
-  if (drawing == nullptr) return std::nullopt;
+std::optional<WayToClose> wayToClose(const document::Document& document, const pipeline::Derived& derived,
+                                     const LooseEnd& loose, std::optional<PicturePoint> end) {
+  const document::Drawing* drawing = document::findDrawing(document, loose.drawing);
+  const document::DrawnLine* line = drawing ? document::findLine(*drawing, loose.line) : nullptr;
+  if (line == nullptr || line->points.empty()) return std::nullopt;
   std::vector<LooseEnd> own = looseEndsOn(document, derived, drawing->picture);
-  std::erase_if(own, [&](const LooseEnd& end) { return end.drawing != id || end.line != line; });
-  std::optional<std::array<PicturePoint, 2>> best;
-  double least = std::numeric_limits<double>::infinity();
-  if (own.size() > 1) least = distance(own.front().at, own.back().at);
-  for (const LooseEnd& end : own) {
+  std::erase_if(own, [&](const LooseEnd& one) {
+    return one.drawing != loose.drawing || one.line != loose.line || (end && distance(one.at, *end) > kSamePlace);
+  });
+  std::optional<WayToClose> best;
+  double least = distance(line->points.front(), line->points.back());
+  for (const LooseEnd& one : own) {
+    const bool atFirst = distance(one.at, line->points.front()) < distance(one.at, line->points.back());
+    const bool hidden = std::ranges::any_of(line->hidden, [&](const descriptive::Stretch& stretch) {
+      return atFirst ? stretch.from <= 0 : stretch.to >= 1;
+    });
     for (const document::DrawnLine& other : drawing->lines) {
-      if (other.id == line || other.closed || other.points.empty()) continue;
+      if (other.id == loose.line || other.closed || other.points.empty()) continue;
       for (const PicturePoint to : {other.points.front(), other.points.back()}) {
-        const double far = distance(end.at, to);
+        const double far = distance(one.at, to);
         if (far >= least) continue;
         least = far;
-        best = {end.at, to};
+        best = {one.at, to, hidden};
       }
     }
   }
@@ -305,8 +322,9 @@ std::vector<LineId> drawnOver(const document::Document& document, const document
   const auto lies = [&](const document::DrawnLine& line) {
     const bool isHidden = !line.hidden.empty();
     return isHidden == !fresh.hidden.empty() && geometry::lengthOf(line.points) > kLongEnough * reach &&
-           std::ranges::all_of(
-               line.points, [&](PicturePoint p) { return geometry::distanceToLine(p, over, fresh.closed) <= reach; });
+           std::ranges::all_of(placesAlong(line.points, reach), [&](PicturePoint p) {
+             return geometry::distanceToLine(p, over, fresh.closed) <= reach;
+           });
   };
   std::vector<LineId> lines = document::freeLines(document, drawing);
   std::erase_if(lines, [&](LineId id) { return !lies(*document::findLine(drawing, id)); });

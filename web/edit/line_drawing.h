@@ -58,10 +58,15 @@ std::vector<LooseEnd> looseEndsOf(const document::Document& document, const pipe
 std::vector<LooseEnd> looseEndsOn(const document::Document& document, const pipeline::Derived& derived,
                                   PictureId picture);
 
-/// The way from a loose end of a line to the nearest end of another line. None: its own other end is nearer, to which a
-/// closed line goes, or there is no other.
-std::optional<std::array<PicturePoint, 2>> wayToClose(const document::Document& document,
-                                                      const pipeline::Derived& derived, DrawingId drawing, LineId line);
+/// From a loose end to an end of another line.
+struct WayToClose {
+  PicturePoint from, to;
+  bool hidden = false;  ///< as the line is at its loose end
+};
+/// The shortest one for the line of `loose`, from its end at `end` where that is stated. None: its own other end is
+/// nearer, to which a closed line goes, or there is no other line.
+std::optional<WayToClose> wayToClose(const document::Document& document, const pipeline::Derived& derived,
+                                     const LooseEnd& loose, std::optional<PicturePoint> end);
 
 /// Both on the canvas as the tool Lines shows them: crossings that would be nearer than a fingertip move apart. Empty
 /// while another tool is in hand.

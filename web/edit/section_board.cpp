@@ -90,6 +90,8 @@ void openBoard(UiState& ui, const BoardStart& start, const sections::SectionShap
 }
 
 void showBoard(UiState& ui, SectionBoard board) {
+  board.tool0 = ui.tool;
+  board.selected0 = ui.selection;
   ui.sections.board = std::move(board);
   ui.sections.placing = false;
   ui.layers.drawsRail = false;

@@ -89,7 +89,7 @@ void App::layout() {
 /// Brings what is selected and shown in line with the document, which undo may have changed.
 void App::settle() {
   settleCut(env());  // may add a part
-  settleBoard(env(), boardWith_);
+  settleBoard(env());
   const document::Document& document = studio_.document();
   if (!document::findPicture(document, ui_.picture)) {
     featureAt(ui_, document.pictures.empty() ? PictureId{} : document.pictures.back()->id);

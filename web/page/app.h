@@ -4,9 +4,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "web/commands/action_sink.h"
@@ -147,9 +145,7 @@ class App final : public platform::Page, Hand {
   std::vector<std::uint8_t> exported_;
   image::Image thumbnail_;
   std::string cursor_;
-  PartId chosenOf_;  ///< the part that ui_.chosen is about
-  /// What was in hand when the board for a slice was opened.
-  std::optional<std::pair<ToolKind, PartId>> boardWith_;
+  PartId chosenOf_;    ///< the part that ui_.chosen is about
   std::string named_;  ///< the rib end that the status names
   std::vector<Control> toldControls_;
   ShellView told_, view_;  ///< what the shell knows, and what it is compared with

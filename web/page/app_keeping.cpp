@@ -9,6 +9,7 @@
 #include "engine/io/share_text.h"
 #include "engine/publish/share_copies.h"
 #include "web/commands/command_actions.h"
+#include "web/edit/section_editing.h"
 #include "web/model/messages.h"
 #include "web/page/app.h"
 #include "web/scene/scene.h"
@@ -138,7 +139,7 @@ const std::string& App::openProject(std::span<const std::uint8_t> file, std::str
 void App::showOtherModel() {
   gestures_.cancel(toolEnv());
   closeCut(env());
-  ui_.preview.reset();
+  closeBoard(ui_);
   ui_.selection = ui_.redraw = {};
   ui_.picture = {};
   ui_.seen.clear();

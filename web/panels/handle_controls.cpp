@@ -231,7 +231,7 @@ void lines(const PanelEnv& env) {
   for (std::size_t i = 0; i < std::min(ends.size(), marks.looseEnds.size()); ++i) {
     const PointControl what{"end" + std::to_string(i), words::tr("A line is not closed here. Close it."),
                             where(marks.looseEnds[i])};
-    if (pointButton(env, what)) env.sink.run(app::closeLine, ends[i].drawing, ends[i].line);
+    if (pointButton(env, what)) env.sink.run(app::closeLine, ends[i].drawing, ends[i].line, ends[i].at);
   }
 }
 

@@ -1,5 +1,8 @@
 #include "web/tools/line_tool.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "engine/document/pieces.h"
 #include "web/commands/intents.h"
 #include "web/edit/line_drawing.h"
@@ -35,7 +38,7 @@ void LineTool::tap(const ToolEnv& env) const {
   } else if (under_.looseEnd >= 0) {
     const auto ends = app::looseEndsOn(env.document, env.derived, env.ui.picture);
     const auto at = static_cast<std::size_t>(under_.looseEnd);
-    if (at < ends.size()) env.sink.run(app::closeLine, ends[at].drawing, ends[at].line);
+    if (at < ends.size()) env.sink.run(app::closeLine, ends[at].drawing, ends[at].line, ends[at].at);
   } else {
     selectTapped(env, app::partAt(env.document, env.derived, env.ui.picture, line_.front(), 0));
   }
@@ -45,12 +48,17 @@ void LineTool::commit(const ToolEnv& env) {
   env.ui.inHand = {};
   if (!watch_.moved()) return tap(env);
   const document::Drawing* drawing = document::drawingOn(env.document, env.ui.picture);
-  app::MeantLine meant = app::meantLine(drawing, line_, reach_);
-  app::DrawLineIntent intent{env.ui.picture, std::move(meant.points), {}, meant.closed};
+  app::DrawLineIntent intent{env.ui.picture, {}, {}, false, {}};
   if (hidden_) intent.hidden = {{0, 1}};
+  document::Drawing left;
   if (drawing != nullptr) {
-    intent.replaces = app::drawnOver(env.document, *drawing, {{}, intent.points, intent.hidden, intent.closed}, reach_);
+    intent.replaces = app::drawnOver(env.document, *drawing, {{}, line_, intent.hidden, false}, reach_);
+    left = *drawing;
+    std::erase_if(left.lines, [&](const auto& line) { return std::ranges::count(intent.replaces, line.id) > 0; });
   }
+  app::MeantLine meant = app::meantLine(drawing != nullptr ? &left : nullptr, line_, reach_);
+  intent.points = std::move(meant.points);
+  intent.closed = meant.closed;
   env.sink.run(app::drawLine, intent);
 }
 

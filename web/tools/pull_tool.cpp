@@ -25,6 +25,7 @@ void PullTool::begin(const ToolEnv& env, const ToolEvent& event) {
   const app::PulledPart part = app::pulledPart(env.document, env.derived, env.ui);
   if (under.pull < 0) {
     if (under.part && under.part != env.ui.selection) {  // the line goes on there
+      before_ = {env.ui.selection, env.ui.alsoSelected};
       other_ = env.ui.selection = under.part;
       env.ui.alsoSelected.clear();
     }
@@ -100,6 +101,10 @@ void PullTool::commit(const ToolEnv& env) {
 }
 
 void PullTool::cancel(const ToolEnv& env) {
+  if (other_ && env.ui.selection == other_) {
+    env.ui.selection = before_.first;
+    env.ui.alsoSelected = before_.second;
+  }
   env.ui.preview.reset();
   env.ui.inHand = {};
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "web/edit/pulling.h"
 #include "web/tools/pick.h"
@@ -21,16 +23,17 @@ class PullTool final : public Tool {
 
   DragWatch watch_;
   int knob_ = -1;
-  PartId part_;                ///< whose knob it is
-  app::ClientPoint unit_;      ///< of one picture pixel of height on the canvas, CSS pixels
-  pull::Pull held_;            ///< the one whose knob is dragged, as it was
-  pipeline::PulledLine line_;  ///< as it lay
-  PartId other_;               ///< a part that was pressed and is not in hand
-  bool outline_ = false;       ///< the line is for the outline
-  double farthest_ = 0;        ///< from its beginning, CSS pixels
-  double leastRing_ = 0;       ///< a ring goes farther than that
-  std::size_t copy_ = 0;       ///< of the part, which the line is on
-  double reach_ = 0;           ///< of its ends, CSS pixels
+  PartId part_;                                    ///< whose knob it is
+  app::ClientPoint unit_;                          ///< of one picture pixel of height on the canvas, CSS pixels
+  pull::Pull held_;                                ///< the one whose knob is dragged, as it was
+  pipeline::PulledLine line_;                      ///< as it lay
+  PartId other_;                                   ///< a part that was pressed and was not in hand
+  std::pair<PartId, std::vector<PartId>> before_;  ///< what was in hand then
+  bool outline_ = false;                           ///< the line is for the outline
+  double farthest_ = 0;                            ///< from its beginning, CSS pixels
+  double leastRing_ = 0;                           ///< a ring goes farther than that
+  std::size_t copy_ = 0;                           ///< of the part, which the line is on
+  double reach_ = 0;                               ///< of its ends, CSS pixels
 };
 
 }  // namespace spineloft::tools

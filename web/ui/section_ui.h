@@ -16,6 +16,8 @@
 
 namespace spineloft::app {
 
+enum class ToolKind : std::uint8_t;
+
 /// What a press on the board does.
 enum class BoardTool : std::uint8_t { Pen, Line, Box, Ellipse, Points, kCount };
 /// "pen", "line", "box", "ellipse", "points".
@@ -24,6 +26,7 @@ std::optional<BoardTool> boardToolFromKey(std::string_view key);
 
 /// Where the board lies on the sheet of a part made of layers.
 struct BoardOnSheet {
+  PictureId picture;     ///< of a new part
   double at = 0;         ///< the sheet's place, as app::Sheet has it
   geometry::Turn turn;   ///< and how it is turned where it lies on no layer
   SectionPoint middle;   ///< of the board, picture pixels on the sheet
@@ -33,8 +36,10 @@ struct BoardOnSheet {
 
 /// The board on which a section is drawn. The document does not change until it is done.
 struct SectionBoard {
-  PartId part;                                   ///< none: the section of the next part
-  std::size_t key = 0;                           ///< which section of the part
+  PartId part;          ///< none: the section of the next part
+  std::size_t key = 0;  ///< which section of the part
+  ToolKind tool0{};     ///< what was in hand when it was opened: with another tool or part the board is used
+  PartId selected0;
   bool profile = false;                          ///< the slice of a puff: mirrored, and not scaled
   std::optional<BoardOnSheet> sheet;             ///< a layer is drawn, of true size
   std::vector<std::vector<SectionPoint>> below;  ///< pale outlines of the layer nearest to it

@@ -72,6 +72,63 @@ TEST_CASE("a point of a layer is moved, in one step; other curves stay to the la
   CHECK(layersOf(page) == before);
 }
 
+TEST_CASE("links go with their curve: one of two goes, and the other is changed") {
+  Fork page;
+  REQUIRE(page.works("layer-link", R"({"link": 0, "on": false})"));
+  page.settle();
+  const auto parted = [&](std::uint32_t curve) {
+    const document::StackRecipe layers = layersOf(page);
+    const auto& links = layers.planes.front().links;
+    return std::ranges::any_of(links, [&](const stack::CurveLink& link) { return link.to == curve && !link.on; });
+  };
+  REQUIRE(parted(0));
+  const Curves before = page.top();
+  REQUIRE(page.works("edit-slice"));
+  // Both are changed, the first one last in the list.
+  REQUIRE(page.works("slice-move-point", R"({"curve":1,"point":1,"to":[0.5,0.5]})"));
+  REQUIRE(page.works("slice-draw", R"({"box":[[-0.7,-0.4],[-0.3,0.2]]})"));
+  CHECK(curvesOnBoard(page) == 2);
+  REQUIRE(page.works("slice-done"));
+  page.settle();
+  CHECK(parted(0));
+  CHECK_FALSE(parted(1));
+  CHECK(page.top()[0].through[0].x < 0);
+  CHECK(page.top()[1].through[0].x > 0);
+}
+
+TEST_CASE("a board that is open when another model comes, or its part goes, changes nothing") {
+  Fork page;
+  const document::StackRecipe before = layersOf(page);
+  REQUIRE(page.works("edit-slice"));
+  REQUIRE(page.works("slice-move-point", R"({"curve":0,"point":0,"to":[-1,-0.5]})"));
+  const double undo = *page.state().number("undo");
+  REQUIRE(page.works("delete-part"));
+  page.settle();
+  CHECK(boardOf(page).isNull());
+  CHECK(page.state().number("undo") == undo + 1);
+  REQUIRE(page.works("undo"));
+  CHECK(layersOf(page) == before);
+  REQUIRE(page.works("edit-slice", R"({"part":1})"));
+  REQUIRE(page.works("slice-move-point", R"({"curve":0,"point":0,"to":[-1,-0.5]})"));
+  REQUIRE(page.works("clear"));
+  page.settle();
+  CHECK(boardOf(page).isNull());
+  CHECK_FALSE(page.app->ui().section.drawn());
+}
+
+TEST_CASE("a board that is opened for another part uses what was drawn for the first") {
+  Fork page;
+  REQUIRE(page.works("draw-spine", R"({"stroke":[[60,60],[60,200]]})"));
+  page.settle();
+  REQUIRE(page.works("edit-slice"));
+  REQUIRE(page.works("slice-start-from", R"({"section":"star"})"));
+  const double undo = *page.state().number("undo");
+  REQUIRE(page.works("edit-slice", R"({"part":1})"));
+  page.settle();
+  CHECK(curvesOnBoard(page) == 2);
+  CHECK(page.state().number("undo") == undo + 1);
+}
+
 TEST_CASE("the board's own steps, and Escape, leave the layer as it was") {
   Fork page;
   const document::StackRecipe before = layersOf(page);
@@ -103,7 +160,6 @@ TEST_CASE("a curve drawn on the board is a branch; one that is crossed gives way
   REQUIRE(page.works("slice-done"));
   page.settle();
   CHECK(page.top().size() == 2);
-  CHECK(page.state().find("errors") == nullptr);
 }
 
 TEST_CASE("a drawing with a fault is not taken: the board stays, and says what to do") {

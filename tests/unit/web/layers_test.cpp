@@ -474,8 +474,9 @@ TEST_CASE("a program makes a whole part of layers from its recipe; what is no su
   REQUIRE(page.works("undo"));
   CHECK(page.parts() == 0);
   CHECK(page.fault("draw-stack", "{}") == "ArgumentMissing");
-  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","planes":[]}})") != "");
-  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","planes":[{"at":7}]}})") != "");
+  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","recipe":{"planes":[]}}})") != "");
+  CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"stack","recipe":{"planes":[{"at":7,"curves":
+    [{"through":[40,0,0,40,-40,0,0,-40]}]}]}}})") != "");
   CHECK(page.fault("draw-stack", R"({"recipe":{"kind":"ball"}})") != "");
   CHECK(page.parts() == 0);
 }

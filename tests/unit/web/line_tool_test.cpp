@@ -532,8 +532,7 @@ TEST_CASE("a tap on the ring of an edge that is too short joins it to the end of
   }
 }
 
-TEST_CASE(
-    "a line over one that was too short takes its place, in one step; one that is apart, or of a piece, does not") {
+TEST_CASE("a line over one that was too short takes its place, in one step; one that is apart does not") {
   Edges page(45);
   REQUIRE(page.rings().size() == 2);
   const std::size_t lines = page.drawing().find("lines")->array()->size();
@@ -559,4 +558,12 @@ TEST_CASE("a closed line is closed by the ring at its own end, where no other li
   CHECK(page.parts() == 1);
   CHECK(page.drawing().find("lines")->array()->size() == 2);
   CHECK(page.state().find("lineEnds")->array()->size() == 2);
+}
+
+TEST_CASE("a line whose ends alone lie on the new one stays") {
+  Lines page;
+  page.draw({{200, 200}, {500, 200}});
+  page.draw({{500, 200}, {500, 500}, {200, 500}, {200, 200}});
+  CHECK(page.parts() == 1);
+  CHECK(page.drawing().find("lines")->array()->size() == 2);
 }
