@@ -189,15 +189,17 @@ test('on a phone the line at the foot shows a step until it can be read, then wh
       page.evaluate((name) => document.getElementById(name).getBoundingClientRect().width > 50, id);
     const becomes = (id) =>
       page.waitForFunction((name) => document.getElementById(name).getBoundingClientRect().width > 50, id);
-    await run(page, 'shapes');
+    await run(page, 'cut-by-box');
     assert.deepEqual([await isShown('coach'), await isShown('status')], [true, false]);
     await page.waitForTimeout(6100);
-    await run(page, 'puff');
-    await run(page, 'shapes');
+    await run(page, 'cut-by-scribble');
     await becomes('status');
     assert.equal(await isShown('coach'), false);
     await becomes('coach');
     assert.equal(await isShown('status'), false);
+    await run(page, 'shapes');
+    await idle(page);
+    assert.equal(await isShown('coach'), false, 'its steps are not about this tool');
   }));
 
 test('Home shows the start page and keeps the model; Help tells and begins', () =>
