@@ -70,14 +70,14 @@ Status actOnPuffs(const CommandEnv& env, const std::vector<PartId>& parts, std::
 /// or left where it is no slice yet; a part that was selected meanwhile stays selected. Waits while a gesture is in
 /// hand.
 void settleBoard(const CommandEnv& env);
-
-// Layers.
-/// The part has this recipe now, with the sheet at this place; without a part it is a new one.
-Outcome keepLayers(const CommandEnv& env, PartId part, const document::StackRecipe& recipe, double at);
 /// Puts a section on the shelf, unless it is there, and tells the browser. Refused when it is full.
 Outcome keepOnShelf(const CommandEnv& env, const sections::SectionShape& shape, const std::string* name);
 /// Hands the shelf to the shell, which keeps it.
 void sendShelf(const CommandEnv& env);
+
+// Layers.
+/// The part has this recipe now, with the sheet at this place; without a part it is a new one.
+Outcome keepLayers(const CommandEnv& env, PartId part, const document::StackRecipe& recipe, double at);
 
 // Solids.
 /// Makes a solid, chooses it and says what came of it.

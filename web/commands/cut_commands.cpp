@@ -340,7 +340,7 @@ void settleCut(const CommandEnv& env) {
   const bool gone =
       !document::findPicture(document, draft.picture) || (draft.part && !document::findPart(document, draft.part));
   if (gone) return closeCut(env);
-  if (draft.atOnce || (env.hand != nullptr && env.hand->holds())) return;
+  if ((draft.atOnce && draft.searching) || (env.hand != nullptr && env.hand->holds())) return;
   const bool isBoard = env.ui.sections.board.has_value();
   if (cutsOut(env.ui.tool) && env.ui.picture == draft.picture && !isBoard) return;
   if (draft.shape.contours.empty()) return closeCut(env);

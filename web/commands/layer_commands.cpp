@@ -150,27 +150,6 @@ void bringInSight(Env env, const Sheet& sheet, bool whole) {
   fly(env, framedInRoom(env, to, *bounds));
 }
 
-/// The part has this recipe now; without a part a new one. The sheet lies on the layer at `at`.
-Outcome keep(Env env, PartId part, const document::StackRecipe& recipe, double at) {
-  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
-  if (part) {
-    const auto actions = actionsTo(*document::findPart(env.studio.document(), part), recipe);
-    if (const Status status = actions.empty() ? Done{} : env.studio.act(actions); !status) {
-      return refuse(status.failure());
-    }
-    env.ui.selection = part;
-  } else {
-    const document::DrawStack draw{recipe.picture, recipe.planes, recipe.rail, recipe.stack, layerLook(env.ui)};
-    const Standing standing = standingActions(env, draw, recipe, false);
-    if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
-    takeMade(env, standing);
-    env.ui.framePending = false;  // the sheet stays as it is seen, where there is room
-  }
-  env.ui.layers = {env.ui.selection, at, env.ui.layers.part == part ? env.ui.layers.turn : geometry::Turn{}};
-  if (const auto sheet = sheetOf(env); sheet && !part) bringInSight(env, *sheet, true);
-  return {};
-}
-
 /// The sheet of a part there, as the one that is seen would be.
 std::optional<Sheet> sheetAt(Env env, PartId part, std::optional<double> at) {
   const bool placed = env.ui.layers.part == part && env.ui.layers.at;
@@ -199,7 +178,7 @@ Outcome remove(Env env, const Json&) {
   const auto sheet = sheetOf(env);
   if (!sheet || !sheet->layer) return noSheet();
   if (sheet->recipe.planes.size() == 1) return deletePart(env, sheet->part);
-  return keep(env, sheet->part, withoutLayer(*sheet), sheet->at);
+  return keepLayers(env, sheet->part, withoutLayer(*sheet), sheet->at);
 }
 
 /// By a step along the rail; with `far` as keys say it by a small one. Without a rail to the next layer.
@@ -261,7 +240,7 @@ Outcome drawStack(Env env, const Json& args) {
   if (layers == nullptr || layers->planes.empty()) return refuse({Error::NotAStack, {}});
   document::StackRecipe recipe = *layers;
   recipe.picture = env.ui.picture;
-  return keep(env, {}, recipe, recipe.rail.points.empty() ? 0 : recipe.planes.back().at);
+  return keepLayers(env, {}, recipe, recipe.rail.points.empty() ? 0 : recipe.planes.back().at);
 }
 
 /// Of the part that is meant.
@@ -472,14 +451,30 @@ constexpr std::array kTable = {
 }  // namespace
 
 Outcome keepLayers(Env env, PartId part, const document::StackRecipe& recipe, double at) {
-  return keep(env, part, recipe, at);
+  if (const Status made = checkMade(env, recipe); !made) return refuse(made.failure());
+  if (part) {
+    const auto actions = actionsTo(*document::findPart(env.studio.document(), part), recipe);
+    if (const Status status = actions.empty() ? Done{} : env.studio.act(actions); !status) {
+      return refuse(status.failure());
+    }
+    env.ui.selection = part;
+  } else {
+    const document::DrawStack draw{recipe.picture, recipe.planes, recipe.rail, recipe.stack, layerLook(env.ui)};
+    const Standing standing = standingActions(env, draw, recipe, false);
+    if (const Status status = env.studio.act(standing.actions); !status) return refuse(status.failure());
+    takeMade(env, standing);
+    env.ui.framePending = false;  // the sheet stays as it is seen, where there is room
+  }
+  env.ui.layers = {env.ui.selection, at, env.ui.layers.part == part ? env.ui.layers.turn : geometry::Turn{}};
+  if (const auto sheet = sheetOf(env); sheet && !part) bringInSight(env, *sheet, true);
+  return {};
 }
 
 Outcome drawLayer(Env env, const DrawLayerIntent& intent) {
   const auto sheet = sheetAt(env, intent.part, intent.at);
   if (!sheet) return noSheet();
   const document::StackRecipe recipe = withCurves(*sheet, intent.curves);
-  Outcome kept = keep(env, intent.part, recipe, sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
+  Outcome kept = keepLayers(env, intent.part, recipe, sheet->onRail() ? std::min(sheet->at, 1.0) : sheet->at);
   const bool forks =
       kept && recipe.planes.size() > 1 && sheet->layer && recipe.planes[*sheet->layer].curves.size() == 2;
   if (forks) sendStatus(env.host, "Full dots join shapes: tap one to part them. The knob moves the fork.");
@@ -501,7 +496,7 @@ Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {
   const auto sheet = sheetFor(env.studio.document(), id, {}, placed ? env.ui.layers.at : std::nullopt);
   if (!sheet) return noSheet();
   const double at = sheet->layer && !recipe.rail.points.empty() ? recipe.planes[*sheet->layer].at : sheet->at;
-  return keep(env, id, recipe, at);
+  return keepLayers(env, id, recipe, at);
 }
 
 Outcome seeSheet(Env env) {
@@ -523,7 +518,7 @@ Outcome leanSheet(Env env, const geometry::Turn& turn) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
   placeSheet(env.ui, *sheet, sheet->at);
-  const Outcome kept = sheet->layer ? keep(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
+  const Outcome kept = sheet->layer ? keepLayers(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
   if (kept) env.ui.layers.turn = turn;
   return kept;
 }
@@ -569,7 +564,7 @@ Outcome moveLayer(Env env, double at) {
   const auto sheet = sheetOf(env);
   if (!sheet || !sheet->layer) return noSheet();
   const document::StackRecipe moved = withMovedLayer(*sheet, at);
-  return keep(env, sheet->part, moved, moved.planes[*sheet->layer].at);
+  return keepLayers(env, sheet->part, moved, moved.planes[*sheet->layer].at);
 }
 
 std::span<const Command> layerCommands() { return kTable; }

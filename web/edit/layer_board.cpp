@@ -109,17 +109,15 @@ std::optional<Sheet> sheetOfBoard(const document::Document& document, const UiSt
   return sheetFor(document, board.part, board.sheet->picture, board.sheet->at, board.sheet->turn);
 }
 
-std::vector<stack::Curve> curvesOnBoard(const SectionBoard& board) {
-  std::vector<stack::Curve> curves;
-  for (const sections::DrawnCurve& drawn : board.shown()) curves.push_back(curveOf(*board.sheet, drawn, {}));
-  return curves;
-}
-
 StackRecipe withBoard(const Sheet& sheet, const SectionBoard& board) {
-  const auto* own = curvesOn(sheet);
-  if (own == nullptr) return withCurves(sheet, curvesOnBoard(board));
   const BoardOnSheet& place = *board.sheet;
   sections::Drawing fresh = board.shown();
+  const auto* own = curvesOn(sheet);
+  if (own == nullptr) {
+    std::vector<stack::Curve> curves;
+    for (const sections::DrawnCurve& drawn : fresh) curves.push_back(curveOf(place, drawn, {}));
+    return withCurves(sheet, std::move(curves));
+  }
   std::vector<std::size_t> changed;  // curves of the layer that are not on the board as they were
   for (std::size_t i = 0; i < own->size(); ++i) {
     const auto same = std::ranges::find(fresh, drawnOf(place, (*own)[i]));

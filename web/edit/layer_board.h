@@ -13,10 +13,9 @@ bool hasOpenCurves(const Sheet& sheet);
 void openLayerBoard(UiState& ui, const Sheet& sheet);
 /// The sheet that the open board lies on; none for another board, and when the part is gone.
 std::optional<Sheet> sheetOfBoard(const document::Document& document, const UiState& ui);
-/// What the board of a layer shows, of true size. Without problems (sections::problemOf) each curve is valid.
-std::vector<stack::Curve> curvesOnBoard(const SectionBoard& board);
-/// The recipe with that as the sheet's layer. A curve that was changed keeps its links and forks; one that was not
-/// touched stays to the last bit.
+/// The recipe with what the board shows as the sheet's layer; without problems of the drawing (sections::problemOf)
+/// each curve is valid. A curve that was changed keeps its links and forks; one that was not touched stays to the last
+/// bit.
 document::StackRecipe withBoard(const Sheet& sheet, const SectionBoard& board);
 
 }  // namespace spineloft::app

@@ -305,3 +305,20 @@ TEST_CASE("a tap on a thing that a bone lies on selects the bone first, and then
   tap();
   CHECK_FALSE(rig.state().find("cut")->isNull());
 }
+
+TEST_CASE("another tool while a mark is looked at waits for it; where that is cancelled, what was there is used") {
+  for (const bool cancelled : {false, true}) {
+    CAPTURE(cancelled);
+    Rig rig;
+    rig.openBar();
+    boxRound(rig);
+    rig.run("cut-mark", R"({"line":[[100,60],[160,60]],"radius":8})");
+    rig.run("draw");
+    CHECK_FALSE(rig.state().find("cut")->isNull());
+    CHECK(rig.parts() == 0);
+    if (cancelled) rig.app->cancelWork();
+    rig.settle();
+    CHECK(rig.state().find("cut")->isNull());
+    CHECK(rig.parts() == 1);
+  }
+}

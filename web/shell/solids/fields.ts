@@ -231,39 +231,6 @@ function thickestThat(fits: (thick: number) => boolean, tooThick: number): numbe
   return 0.95 * low;
 }
 
-/** A box with one side in the plane so far along a unit direction, which holds all of the bounds that is beyond it. */
-function boxBeyond(way: Point, along: number, { min, max }: Box): Surface {
-  const flattest = way.map(Math.abs).indexOf(Math.min(...way.map(Math.abs))),
-    other = [0, 1, 2].map((k) => (k === flattest ? 1 : 0)),
-    cross = (a: readonly number[], b: readonly number[]): number[] =>
-      [0, 1, 2].map((k) => a[(k + 1) % 3]! * b[(k + 2) % 3]! - a[(k + 2) % 3]! * b[(k + 1) % 3]!);
-  const side = cross(other, way).map((x, _, all) => x / Math.hypot(...all)),
-    up = cross(way, side),
-    reach = 2 * Math.hypot(...sidesOf({ min, max })),
-    middle = way.map((x, k) => {
-      const centre = (i: number) => (min[i]! + max[i]!) / 2;
-      return centre(k) + x * (along - way.reduce((sum, w, i) => sum + w * centre(i), 0));
-    });
-  const positions = Float32Array.from(
-    [0, 1, 2, 3, 4, 5, 6, 7].flatMap((corner) =>
-      middle.map(
-        (x, k) =>
-          x +
-          reach * ((corner & 1 ? 1 : -1) * side[k]! + (corner & 2 ? 1 : -1) * up[k]! + (corner & 4 ? 2 : 0) * way[k]!),
-      ),
-    ),
-  );
-  const quads = [
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-  ];
-  return { positions, triangles: Uint32Array.from(quads.flatMap(([a, b, c, d]) => [a!, b!, c!, a!, c!, d!])) };
-}
-
 /** What is left of a body, and what was taken out of it. Both are the caller's. */
 export interface Hollow {
   shell: Manifold;
@@ -343,9 +310,14 @@ export function hollowOf(
   const cavity = solidOf(library, inside, [id]);
   let outside = body;
   if (opening && node.cut > 0) {
-    const beyond = solidOf(library, boxBeyond(opening as Point, rim, bounds), [id]);
+    // What is beyond the rim is taken away as a solid, so that the new faces have an id that is known.
+    const around = grown(bounds, step),
+      cube = library.Manifold.cube(sidesOf(around)),
+      box = cube.translate(around.min),
+      half = box.trimByPlane(opening as Point, rim),
+      beyond = solidOf(library, surfaceOf(half), [id]);
     outside = body.subtract(beyond);
-    own.push(beyond, outside);
+    own.push(cube, box, half, beyond, outside);
   }
   return { shell: outside.subtract(cavity), cavity };
 }
