@@ -53,10 +53,6 @@ Stiffness stiffnessOf(const TriMesh& mesh) {
       out.areas[t[i]] += twice / 6;
     }
   }
-  constexpr double kLeast = 0.02;
-  for (auto& own : out.edges) {
-    for (Stiffness::Edge& edge : own) edge.weight = std::max(edge.weight, kLeast);
-  }
   return out;
 }
 
@@ -109,33 +105,21 @@ std::vector<bool> onRims(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   return rims;
 }
 
-/// The crease with the sharp edges between vertices of numbered regions that it runs out into, also over a fixed vertex
-/// at its end.
-void follow(const TriMesh& mesh, const std::vector<std::uint32_t>& regions, Crease& crease) {
-  constexpr double kSharp = 0.9;  // cosine
+/// The crease with the vertices on the sharp edges of its regions, also on those that end at a fixed vertex.
+void takeInSharp(const TriMesh& mesh, const std::vector<std::uint32_t>& regions, Crease& crease) {
+  constexpr double kSharp = 0.966;  // cosine
   const std::vector<double> bends = bendsOf(mesh, findTwins(mesh));
-  std::vector<bool> numbered(mesh.positions.size());
-  for (std::size_t v = 0; v < numbered.size(); ++v) numbered[v] = regions[v] != 0;
-  for (const std::uint32_t v : crease.vertices) numbered[v] = true;
-  std::vector<std::vector<std::uint32_t>> ends(mesh.positions.size()), sharp(mesh.positions.size());
+  std::vector<bool> own(mesh.positions.size()), found(mesh.positions.size(), false);
+  for (std::size_t v = 0; v < own.size(); ++v) own[v] = regions[v] >= crease.first && regions[v] < crease.last;
+  for (const std::uint32_t v : crease.vertices) own[v] = found[v] = true;
+  const auto belongs = [&](std::uint32_t v) { return own[v] || regions[v] == kFixed; };
   for (std::uint32_t h = 0; h < bends.size(); ++h) {
     const std::uint32_t a = cornerVertex(mesh, h), b = cornerVertex(mesh, nextHalfEdge(h));
-    if (regions[a] == kFixed && regions[b] == kFixed) continue;
-    if (!numbered[a] || !numbered[b]) continue;
-    if (regions[b] == kFixed) ends[a].push_back(b);
-    if (bends[h] < kSharp) sharp[a].push_back(b);
+    if (bends[h] < kSharp && (own[a] || own[b]) && belongs(a) && belongs(b)) found[a] = found[b] = true;
   }
-  std::vector<bool> known(mesh.positions.size(), false);
-  std::vector<std::uint32_t> open = crease.vertices;
-  for (const std::uint32_t v : crease.vertices) open.insert(open.end(), ends[v].begin(), ends[v].end());
   crease.vertices.clear();
-  while (!open.empty()) {
-    const std::uint32_t v = open.back();
-    open.pop_back();
-    if (known[v]) continue;
-    known[v] = true;
-    crease.vertices.push_back(v);
-    open.insert(open.end(), sharp[v].begin(), sharp[v].end());
+  for (std::uint32_t v = 0; v < found.size(); ++v) {
+    if (found[v]) crease.vertices.push_back(v);
   }
 }
 
@@ -285,23 +269,20 @@ void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std:
 
 }  // namespace
 
-std::vector<std::array<float, 3>> soften(TriMesh& mesh, std::vector<Crease> creases,
-                                         std::vector<std::uint32_t>& regions,
-                                         const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold) {
+void soften(TriMesh& mesh, std::vector<Crease> creases, std::vector<std::uint32_t>& regions,
+            const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold) {
   constexpr double kLongest = 0.35, kMargin = 1.25;  // of the reach
   constexpr int kMostRounds = 6;
   for (Crease& crease : creases) {
-    follow(mesh, regions, crease);
+    takeInSharp(mesh, regions, crease);
     Splitter splitter(mesh, crease, regions);
     for (int round = 0; round < kMostRounds; ++round) {
       if (!splitter.split(waysFrom(mesh, crease.vertices, kMargin * crease.reach), kLongest * crease.reach)) break;
     }
   }
-  std::vector<std::array<float, 3>> before = mesh.positions;
   for (const Crease& crease : creases) {
     fair(mesh, waysFrom(mesh, crease.vertices, crease.reach), regions, crease.reach, hold);
   }
-  return before;
 }
 
 }  // namespace spineloft::mesh

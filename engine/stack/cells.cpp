@@ -222,18 +222,19 @@ class Cutter {
       narrow = std::min(narrow, dot(n, p - middle));
     }
     const double width = wide - narrow;
-    const double chosen = std::clamp(width / (width + std::max(0.0, above - top)), 0.3, 0.7);
+    const double chosen = std::clamp(1.05 * width / (width + std::max(0.0, above - top)), 0.3, 0.7);
     const double h = std::clamp(stem_.rise.value_or(chosen), kLowest, kHighest);
     if (cells.rise == 0) cells.rise = h;
     const ModelPoint bow = (rise * std::max(0.0, reach) + e * (drift / 2)) * h;
 
-    const Cell saddle = saddleOf(cell, {a, b, bow, rise});
+    const ModelPoint toFirst = chord.firstInside ? -normal : normal;
+    const auto [left, right] = saddlesOf(cell, {a, b, bow, rise, toFirst});
     Cell parts[2];
     for (std::size_t i = chord.from; i <= chord.to; ++i) append(parts[0], cell, i);
-    for (std::size_t i = saddle.points.size(); i-- > 0;) append(parts[0], saddle, i);
+    for (std::size_t i = left.points.size(); i-- > 0;) append(parts[0], left, i);
     for (std::size_t i = chord.to; i <= chord.from + cell.points.size(); ++i)
       append(parts[1], cell, i % cell.points.size());
-    for (std::size_t i = 0; i < saddle.points.size(); ++i) append(parts[1], saddle, i);
+    for (std::size_t i = 0; i < right.points.size(); ++i) append(parts[1], right, i);
     if (!chord.firstInside) std::swap(parts[0], parts[1]);
     for (const bool second : {false, true}) {
       parts[second].within = cell.within;
@@ -244,8 +245,12 @@ class Cutter {
   /// The line that both sides of a cut share, from end to end without them.
   struct Saddle {
     ModelPoint from, to, bow, rise;
+    ModelPoint aside;  ///< from it to the first side
   };
-  Cell saddleOf(const Cell& cell, const Saddle& line) {
+  /// As the first side sees it, and the second. Each leaves it upwards and to its own side, so that there is a valley
+  /// between them and no slit; at its ends both go on as the stem does.
+  std::array<Cell, 2> saddlesOf(const Cell& cell, const Saddle& line) {
+    constexpr double kAlong = 0.6, kAside = 0.3;
     double edge = 0;
     for (std::size_t i = 0; i < cell.points.size(); ++i) {
       edge += distance(cell.points[i], cell.points[(i + 1) % cell.points.size()]);
@@ -253,16 +258,19 @@ class Cutter {
     edge /= static_cast<double>(cell.points.size());
     const double arc = distance(line.from, line.to) + 2 * norm(line.bow);
     const auto steps = static_cast<std::size_t>(std::clamp(std::round(arc / edge), 4.0, 256.0));
-    Cell saddle;
+    std::array<Cell, 2> seen;
     for (std::size_t k = 1; k < steps; ++k) {
-      constexpr double kAlong = 0.6;
-      const double s = static_cast<double>(k) / static_cast<double>(steps);
-      saddle.points.push_back(lerp(line.from, line.to, s) + line.bow * (4 * s * (1 - s)));
-      saddle.vertices.push_back(skin_.vertex(saddle.points.back()));
-      cells.crease.push_back(saddle.vertices.back());
-      saddle.ways.push_back(line.rise * kAlong);
+      const double s = static_cast<double>(k) / static_cast<double>(steps), inner = 4 * s * (1 - s);
+      const ModelPoint p = lerp(line.from, line.to, s) + line.bow * inner;
+      cells.crease.push_back(skin_.vertex(p));
+      for (const std::size_t side : {0u, 1u}) {
+        const ModelPoint way = line.rise * kAlong + line.aside * (side == 0 ? kAside : -kAside);
+        seen[side].points.push_back(p);
+        seen[side].vertices.push_back(cells.crease.back());
+        seen[side].ways.push_back(lerp(stem_.normal, way, inner));
+      }
     }
-    return saddle;
+    return seen;
   }
   static void append(Cell& to, const Cell& from, std::size_t i) {
     to.points.push_back(from.points[i]);

@@ -147,8 +147,12 @@ class Builder {
       for (const std::size_t curve : side) radii += network_.curves[curve].radius;
     }
     const auto count = static_cast<double>(curves[0].size() + curves[1].size());
+    const auto regions = [&] { return static_cast<std::uint32_t>(spaces_.size() + 1); };
+    const std::uint32_t first = regions();
     std::ranges::move(cuts.spaces, std::back_inserter(spaces_));
-    if (!cuts.crease.empty()) creases_.push_back({std::move(cuts.crease), params_.melt * radii / count});
+    if (!cuts.crease.empty()) {
+      creases_.push_back({std::move(cuts.crease), first, regions(), params_.melt * radii / count});
+    }
     for (const bool up : {true, false}) {
       const auto& of = up ? cuts.below : cuts.above;
       for (std::size_t i = 0; i < of.size(); ++i) {
@@ -431,20 +435,20 @@ struct Melting {
   std::vector<std::uint32_t> regions;  ///< see Builder
 };
 
-/// With rounded creases, less round where the surface would go through itself or break a law otherwise. Curves that
-/// were drawn stay, and links in their spaces.
-mesh::TriMesh melted(const mesh::TriMesh& mesh, Melting melting, image::Size picture) {
+/// With rounded creases, narrower where the surface would go through itself or break a law otherwise. Curves that were
+/// drawn stay, and links in their spaces.
+mesh::TriMesh melted(const mesh::TriMesh& mesh, const Melting& melting, image::Size picture) {
   const auto hold = [&](std::uint32_t region, ModelPoint p) {
     return region == 0 ? p : held(p, melting.spaces[region - 1].within);
   };
-  mesh::TriMesh round = mesh;
-  const auto sharp = mesh::soften(round, std::move(melting.creases), melting.regions, hold);
-  const std::vector<std::array<float, 3>> soft = round.positions;
-  for (const float share : {1.0f, 0.5f, 0.25f}) {
-    for (std::size_t v = 0; v < soft.size(); ++v) {
-      auto& p = round.positions[v];
-      for (std::size_t k = 0; k < 3; ++k)
-        p[k] = soft[v][k] == sharp[v][k] ? p[k] : std::lerp(sharp[v][k], soft[v][k], share);
+  for (const double share : {1.0, 0.7}) {
+    mesh::TriMesh round = mesh;
+    std::vector<mesh::Crease> creases = melting.creases;
+    for (mesh::Crease& crease : creases) crease.reach *= share;
+    std::vector<std::uint32_t> regions = melting.regions;
+    mesh::soften(round, std::move(creases), regions, hold);
+    for (std::size_t v = 0; v < round.positions.size(); ++v) {
+      const auto& p = round.positions[v];
       if (v >= mesh.positions.size() || p != mesh.positions[v]) round.uv[v] = Skin::uvOf({p[0], p[1], p[2]}, picture);
     }
     if (mesh::inspect(round).valid() && !mesh::selfCrossing(round)) return round;
@@ -483,7 +487,7 @@ std::optional<Result<Stacked>> built(const Sheets& sheets, const Network& networ
     }
     if (network.forks.empty() || !mesh::selfCrossing(made.mesh)) break;
   }
-  if (!melting.creases.empty()) made.mesh = melted(made.mesh, std::move(melting), picture);
+  if (!melting.creases.empty()) made.mesh = melted(made.mesh, melting, picture);
   return made;
 }
 

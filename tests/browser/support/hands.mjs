@@ -163,16 +163,23 @@ export async function findControl(page, words, { kind, row } = {}) {
   return found.find((one) => one.inSight) ?? found[0] ?? null;
 }
 
-/** The same, scrolled into sight by the wheel or, where `touch` is true, by a finger. */
+/** The same, scrolled into sight by the wheel or, where `touch` is true, by a finger, and at rest. */
 export async function control(page, words, { touch = false, ...which } = {}) {
   const box = await page.locator('#canvas').boundingBox();
+  let before = null;
   for (let turns = 0; turns < 40; turns += 1) {
     const found = await findControl(page, words, which);
     if (!found) {
       const { controls } = await state(page);
       assert.fail(`"${words}" is not on the canvas, among ${controls.map((one) => one.words).join(' | ')}`);
     }
-    if (found.inSight) return found;
+    const rests = before === null || `${before.at}` === `${found.at}`;
+    if (found.inSight && rests) return found;
+    before = found;
+    if (found.inSight) {
+      await framed(page);
+      continue;
+    }
     const [x, y] = middleOf(found);
     const [panel] = await onCanvas(page, [x, Math.min(Math.max(y, 60), box.height - 60)]);
     const isBelow = y > box.height / 2;
