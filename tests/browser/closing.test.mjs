@@ -1,6 +1,7 @@
 // Closing the page asks as long as work would be lost, and only then.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { sample } from '../support/rounds.mjs';
 import { drawWithMouse } from './support/hands.mjs';
 import { done, downloaded, idle, reload, run, state, useSite } from './support/page.mjs';
 import { asksBeforeLeaving, banner, drawPart, emptyDevice, history } from './support/keeping.mjs';
@@ -18,7 +19,7 @@ const kSaves = [
   ['save-picture', false],
 ];
 
-for (const [storage, spoil] of [
+const kStorages = [
   ['on', null],
   ['off', () => Object.defineProperty(globalThis, 'indexedDB', { value: undefined })],
   // Opened and read, but nothing can be put into it.
@@ -32,7 +33,8 @@ for (const [storage, spoil] of [
       };
     },
   ],
-]) {
+];
+for (const [storage, spoil] of sample(kStorages, 0, 2)) {
   test(`closing asks unless the work as it is is in a file or kept: every format, edited meanwhile or not, storage ${storage}`, () =>
     onEmptyDevice(
       async (page) => {

@@ -13,7 +13,7 @@ import { kRounds } from '../support/rounds.mjs';
 import { tubePicture } from './support/pictures.mjs';
 import { history, smallTube, startMortalBrowser } from './support/keeping.mjs';
 
-const kKills = kRounds > 1 ? 200 : 25;
+const kKills = kRounds > 1 ? 200 : 12;
 /** Kills until a new model is begun. */
 const kModelKills = 20;
 /** A browser that does not come up in that time fails the test instead of holding it up. */

@@ -1,6 +1,7 @@
 // Parts drawn layer by layer, by real pointers. What else the tool does is said by tests/unit/web/layers_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { sample } from '../support/rounds.mjs';
 import { findControl, onBoard, onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { exported, idle, kPhone, kSharp, onPage, pixels, run, state, useSite } from './support/page.mjs';
 
@@ -45,7 +46,7 @@ async function lift(page, device, by) {
   await strokeAlong(page, device, path);
 }
 
-for (const device of ['mouse', 'finger', 'pen']) {
+for (const device of sample(['mouse', 'finger', 'pen'], 2)) {
   test(`a branch that forks takes four gestures: by ${device}`, () =>
     onPage(kit, { hasTouch: true }, async (page) => {
       await paper(page);
@@ -170,10 +171,11 @@ test('by keyboard alone: the tool, a circle, the sheet up, another circle', () =
     assert.equal(now.parts[0].failure, null);
   }));
 
-for (const [device, options] of [
+const kLeaning = [
   ['mouse', { hasTouch: true }],
   ['finger', kPhone],
-]) {
+];
+for (const [device, options] of sample(kLeaning, 0)) {
   test(`a sheet leans by its knob, and a line across the view is what the layers follow: by ${device}`, () =>
     onPage(kit, options, async (page) => {
       await paper(page);
@@ -206,10 +208,11 @@ for (const [device, options] of [
     }));
 }
 
-for (const [device, options] of [
+const kOnBoard = [
   ['mouse', {}],
   ['finger', kPhone],
-]) {
+];
+for (const [device, options] of sample(kOnBoard, 1)) {
   test(`a layer is changed by its points on the board, and kept by another tool: by ${device}`, () =>
     onPage(kit, { hasTouch: true, ...options }, async (page) => {
       await paper(page);

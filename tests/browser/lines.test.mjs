@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { findControl, onCanvas, press, strokeAlong } from './support/hands.mjs';
+import { sample } from '../support/rounds.mjs';
 import { exported, idle, kDesk, kHands, onPage, reload, run, state, toClient, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -69,7 +70,7 @@ async function paper(page, device) {
 
 const pairs = (bridges) => bridges.map(({ over, under }) => [over, under]);
 
-for (const [device, size, options] of kHands) {
+for (const [device, size, options] of sample(kHands, 0)) {
   test(`a body, two half hidden legs and a tail; a bridge swaps there only; undone to the start: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await paper(page, device);
@@ -233,7 +234,7 @@ const edge = ([from, to], k) =>
     }),
   );
 
-for (const [device, size, options] of kHands) {
+for (const [device, size, options] of sample(kHands, 2)) {
   test(`the nine seen edges of a box make a box with plane faces, which is undone line by line: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await paper(page, device);
@@ -360,7 +361,7 @@ const stroke = (corners) => {
       ),
     );
 };
-for (const [what, { strokes, faces }] of Object.entries(kObliques)) {
+for (const [what, { strokes, faces }] of sample(Object.entries(kObliques), 3)) {
   test(`${what} with its front drawn as it is becomes one piece with plane faces`, () =>
     onPage(kit, kDesk, async (page) => {
       await paper(page, 'mouse');

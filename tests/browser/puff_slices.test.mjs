@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { control, dragSlider, press, strokeAlong } from './support/hands.mjs';
 import { exported, idle, kPhone, kTablet, onPage, run, state, toastText, toClient, useSite } from './support/page.mjs';
-import { kRounds } from '../support/rounds.mjs';
+import { kRounds, sample } from '../support/rounds.mjs';
 
 const kit = useSite();
 const kMostActions = 5; // 9 seconds for each of 45
@@ -86,7 +86,7 @@ test('a ring too thin to show is drawn thicker, and the page says so', () =>
     assert.equal((await state(page)).parts[0].bones.thickened, 0);
   }));
 
-for (const hand of ['mouse', 'finger', 'pen'])
+for (const hand of sample(['mouse', 'finger', 'pen'], 2))
   test(`the height is dragged by its slider in a panel that scrolls, in one step: by ${hand}`, () =>
     onPage(kit, { viewport: { width: 1280, height: 640 }, hasTouch: true }, async (page) => {
       await page.getByRole('button', { name: 'Draw on paper' }).click();

@@ -2,6 +2,7 @@
 // tests/unit/relief and tests/unit/pipeline/relief_shape_test.cpp.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { sample } from '../support/rounds.mjs';
 import { dragSlider, drawWithFinger, drawWithMouse, findControl, line, press } from './support/hands.mjs';
 import { exported, idle, kDesk, kPhone, onPage, reload, run, state, useSite } from './support/page.mjs';
 
@@ -33,10 +34,11 @@ async function openRelief(page, touch) {
   await press(page, 'Relief', { kind: 'section' });
 }
 
-for (const [where, device, draw] of [
+const kPlaces = [
   ['mouse on a desk', kDesk, drawWithMouse],
   ['finger on a phone', kPhone, drawWithFinger],
-])
+];
+for (const [where, device, draw] of sample(kPlaces, 1))
   test(`ink on paper is cut into the part, higher by a slider, each one step of undo: ${where}`, () =>
     onPage(kit, device, async (page) => {
       const touch = device === kPhone;

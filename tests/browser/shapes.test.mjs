@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { parseStl } from './support/model_files.mjs';
+import { sample } from '../support/rounds.mjs';
 import {
   exported,
   idle,
@@ -62,7 +63,7 @@ async function twoSheets(page) {
   await idle(page);
 }
 
-for (const [device, size, options] of kHands) {
+for (const [device, size, options] of sample(kHands, 2)) {
   test(`a shape in three gestures, front and side in six: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await twoSheets(page);
@@ -161,10 +162,11 @@ test('handles by pen: an end, the width, and the depth in the side picture', () 
   }));
 
 // A page of their own: where a pen was in use, a finger moves the picture.
-for (const [device, size, options] of [
+const kSides = [
   ['mouse', '1440×900', kDesk],
   ['finger', '390×844', kPhone],
-]) {
+];
+for (const [device, size, options] of sample(kSides, 0)) {
   test(`a puff is as deep as the line round it in the side picture says, until that goes: ${device}, ${size}`, () =>
     onPage(kit, { alone: true, ...options }, async (page) => {
       await twoSheets(page);
