@@ -122,19 +122,22 @@ Status bridgeShape(const document::BridgeRecipe& recipe, const document::Documen
   return Done{};
 }
 
-/// Rounding of forks takes most of the time: under a hand that moves it waits.
+/// Under a hand that moves it what takes most of the time waits: rounded forks, and the last points round a curve.
 Status stackShape(const document::StackRecipe& recipe, image::Size size, Purpose purpose, PartShape& shape,
                   const Clock& clock) {
-  const bool waits = purpose == Purpose::Live && recipe.stack.melt > 0;
-  document::StackRecipe sharp;
-  if (waits) {
-    sharp = recipe;
-    sharp.stack.melt = 0;
+  constexpr int kLiveSides = 48;
+  const bool live = purpose == Purpose::Live;
+  document::StackRecipe coarse;
+  if (live) {
+    coarse = recipe;
+    coarse.stack.melt = 0;
+    coarse.stack.sides = std::min(recipe.stack.sides, kLiveSides);
   }
-  Result<PartShape> made = stackStage(waits ? sharp : recipe, size, clock);
+  const bool waits = live && coarse.stack != recipe.stack;
+  Result<PartShape> made = stackStage(waits ? coarse : recipe, size, clock);
   if (!made) return made.failure();
   shape = std::move(made).value();
-  if (waits && !shape.ways.forks.empty()) shape.quality = TraceQuality::Live;
+  if (waits) shape.quality = TraceQuality::Live;
   return Done{};
 }
 

@@ -271,7 +271,7 @@ TEST_CASE("the key of a stack follows everything that it is made of, and its sha
   CHECK(shape->mesh == stack::stackPlanes({recipe.planes, recipe.rail, recipe.stack}, entry.size).value().mesh);
 }
 
-TEST_CASE("under a hand a fork is sharp, and round when the hand rests") {
+TEST_CASE("under a hand a fork is sharp and has fewer points, and is round when the hand rests") {
   StackRecipe recipe{PictureId{1}, {}, {{{96, -120, 0}, {96, -20, 0}}, false}, {}};
   recipe.planes.resize(2);
   recipe.planes[0].curves = {{{{20, 0}, {0, 20}, {-20, 0}, {0, -20}}, {}}};
@@ -287,6 +287,7 @@ TEST_CASE("under a hand a fork is sharp, and round when the hand rests") {
   REQUIRE(live.ok());
   REQUIRE(rested.ok());
   CHECK(live.value().mesh == liveShape(document, recipe, cache).value().mesh);
+  CHECK(2 * live.value().mesh.triangles.size() < previewShape(document, recipe, cache).value().mesh.triangles.size());
   CHECK(live.value().quality == TraceQuality::Live);  // a better one is to come
   CHECK(rested.value().quality == TraceQuality::Final);
   CHECK(rested.value().mesh.triangles.size() > live.value().mesh.triangles.size());
