@@ -65,7 +65,6 @@ void drawSidePanel(const PanelEnv& env);       ///< beside the views, or the str
 void drawInk(const PanelEnv& env);             ///< the stroke of pen or eraser in hand
 void drawSketchBar(const PanelEnv& env);       ///< pen, eraser, sizes, inks; on paper only
 app::Rect sketchBarRect(const PanelEnv& env);  ///< where; empty where there is none
-void drawActivity(const PanelEnv& env);        ///< progress of long work
 
 void drawSectionOverlay(const PanelEnv& env);  ///< sections on the spine, a section on its way
 void drawSectionBoard(const PanelEnv& env);    ///< the board on which a section is drawn

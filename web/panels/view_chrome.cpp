@@ -26,10 +26,9 @@ namespace spineloft::panels {
 namespace {
 
 constexpr double kMargin = 10;
-constexpr double kFoot = 84;      // from a hint's middle to the foot of its view
-constexpr double kClear = 6;      // between a hint and what is there
-constexpr double kPenRoom = 58;   // what the card of the pen takes at the foot of a sketch
-constexpr double kBlinkMs = 250;  // shorter work is not worth a notice
+constexpr double kFoot = 84;     // from a hint's middle to the foot of its view
+constexpr double kClear = 6;     // between a hint and what is there
+constexpr double kPenRoom = 58;  // what the card of the pen takes at the foot of a sketch
 
 /// Buttons of a view and the menu of those that have no room.
 struct Bar {
@@ -393,39 +392,6 @@ void drawViewChrome(const PanelEnv& env) {
       buttons(env, {app::BarMenu::Solid, "solid buttons", layout.solid, onSolid, app::Focus::Solid});
 }
 
-void drawActivity(const PanelEnv& env) {
-  const std::optional<app::Studio::Activity> activity = env.env.studio.activity();
-  double& since = env.ui().busySinceMs;
-  // Every stroke on paper has its edges looked for; nobody who draws needs to know.
-  const app::ToolKind tool = env.ui().tool;
-  if (!activity || tool == app::ToolKind::Pen || tool == app::ToolKind::Eraser) {
-    since = -1;
-    return;
-  }
-  const double now = env.env.host.nowMs();
-  if (since < 0) since = now;
-  // Without threads the page stands still while it works: it must say so before, not after.
-  if (env.env.studio.threads() > 0 && now - since < kBlinkMs) return;
-  const app::Rect& view = env.ui().layout.picture;
-  const double width = std::min(300.0, view.width - 20);
-  const app::Rect card{view.centre().x - width / 2, view.y + 44, width, 52};
-  env.ui().overlays.push_back(card);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  beginFixed("activity", card);
-  label(env.fonts.small, kInk, activity->label);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float length = static_cast<float>(width) - 60;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + length, at.y + 6}, kLine, 3);
-  const float done = static_cast<float>(std::clamp(activity->done, 0.03, 1.0));
-  list.AddRectFilled(at, {at.x + length * done, at.y + 6}, kAccent, 3);
-  const float side = env.ui().touch ? 44.f : 34.f;
-  ImGui::SetCursorPos({static_cast<float>(width) - side - 8, (52 - side) / 2});
-  if (iconButton(env, {"stop", "x", app::commandOf("cancel").label, false, true, side})) env.env.studio.cancelWork();
-  ImGui::End();
-  ImGui::PopStyleVar();
-}
-
 void draw(const PanelEnv& env) {
   env.ui().overlays.clear();
   env.ui().controls.clear();
@@ -447,7 +413,6 @@ void draw(const PanelEnv& env) {
   env.ui().solidRoom = app::roomBeside(env.ui().layout.solid, env.ui().overlays);
   drawSidePanel(env);
   drawSectionBoard(env);
-  drawActivity(env);
 }
 
 }  // namespace spineloft::panels

@@ -4,7 +4,7 @@ import { CommandBar } from './command_bar.ts';
 import { openCommandSearch } from './command_search.ts';
 import { askChoice, askText } from './dialogs.ts';
 import { byId, setAttribute } from './dom.ts';
-import type { Engine, EngineEvent, Offer } from './engine.ts';
+import { type Engine, type EngineEvent, type Offer, wantsThreads } from './engine.ts';
 import { Failure, sentenceOf } from './failure.ts';
 import { download, isModelFile, pickModel, pickPicture } from './files.ts';
 import { Coach, kNewMs } from './coach.ts';
@@ -529,7 +529,9 @@ export class Page {
       const cancel = () => this.opening.forEach((aborter) => aborter.abort());
       this.progress.set({ label: 'Opening the picture', done: null, cancel });
     } else if (activity) {
-      this.progress.set({ label: activity.label, done: activity.done, cancel: () => this.engine?.cancelWork() });
+      const cancel = () => this.engine?.cancelWork();
+      // Without threads the page stands still while it works: it says so before, not after.
+      this.progress.set({ label: activity.label, done: activity.done, cancel }, !wantsThreads());
     } else {
       this.progress.set(null);
     }

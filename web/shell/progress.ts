@@ -22,8 +22,8 @@ export class ProgressBar {
     byId('progress-cancel').addEventListener('click', () => this.activity?.cancel());
   }
 
-  /** Shows the activity once it has lasted longer than a blink; null ends it. */
-  set(activity: Activity | null): void {
+  /** Shows the activity once it has lasted longer than a blink, or `atOnce`; null ends it. */
+  set(activity: Activity | null, atOnce = false): void {
     this.activity = activity;
     if (!activity) {
       clearTimeout(this.timer);
@@ -35,10 +35,9 @@ export class ProgressBar {
     if (this.label.textContent !== label) this.label.textContent = label;
     if (activity.done === null) this.bar.removeAttribute('value');
     else this.bar.value = activity.done;
-    if (this.timer === 0) {
-      this.timer = window.setTimeout(() => {
-        this.box.hidden = false;
-      }, kBlinkMs);
-    }
+    if (atOnce) this.box.hidden = false;
+    this.timer ||= window.setTimeout(() => {
+      this.box.hidden = false;
+    }, kBlinkMs);
   }
 }

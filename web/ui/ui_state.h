@@ -391,7 +391,6 @@ struct UiState {
   std::optional<NewPart> newPart;  ///< where it was drawn over others
   bool allTools = true;            ///< else the views have those of a first visit
   bool moreNumbers = false;        ///< panels show the numbers that few need
-  double busySinceMs = -1;         ///< when the work began that goes on; < 0: none does
   bool spaceHeld = false;
   platform::Palette palette;
   bool touch = false;                 ///< the last pointer was a finger: larger targets
