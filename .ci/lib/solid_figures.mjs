@@ -30,7 +30,7 @@ export const kSolidFigures = {
 
 const kWindow = { width: 1100, height: 720 };
 const kViews = { x: 0, y: 150, width: 858, height: 460 }; // of the picture and of the solid
-const kSolidView = { x: 436, y: 144, width: 422, height: 472 };
+const kSolidView = { x: 436, y: 144, width: 388, height: 472 };
 const kFromAside = ['home-view', 'turn-up', 'turn-up', 'turn-up', 'turn-left', 'turn-left', 'fit'];
 
 /** Writes a screenshot of each recipe into the folder; the site and the program are built. */

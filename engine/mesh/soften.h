@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kFixed = 0xffffffffu;
 /// Where a surface is to be rounded.
 struct Crease {
   std::vector<std::uint32_t> vertices;  ///< the crease runs through them
-  std::uint32_t first = 0, last = 0;    ///< the regions beside it: from `first` to before `last`, > 0
+  std::uint32_t first = 0, last = 0;    ///< its regions: from `first` to before `last`, > 0; none where equal
   double reach = 0;                     ///< along the surface, the mesh's units, > 0: what is farther away stays
 };
 

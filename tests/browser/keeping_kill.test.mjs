@@ -15,7 +15,7 @@ import { history, smallTube, startMortalBrowser } from './support/keeping.mjs';
 
 const kKills = kRounds > 1 ? 200 : 12;
 /** Kills until a new model is begun. */
-const kModelKills = 20;
+const kModelKills = kRounds > 1 ? 20 : 4;
 /** A browser that does not come up in that time fails the test instead of holding it up. */
 const kPatienceMs = 180_000;
 const kPromiseMs = 100;

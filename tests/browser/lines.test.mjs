@@ -234,7 +234,7 @@ const edge = ([from, to], k) =>
     }),
   );
 
-for (const [device, size, options] of sample(kHands, 2)) {
+for (const [device, size, options] of sample(kHands, 4)) {
   test(`the nine seen edges of a box make a box with plane faces, which is undone line by line: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await paper(page, device);

@@ -63,7 +63,7 @@ async function twoSheets(page) {
   await idle(page);
 }
 
-for (const [device, size, options] of sample(kHands, 2)) {
+for (const [device, size, options] of sample(kHands, 4)) {
   test(`a shape in three gestures, front and side in six: ${device}, ${size}`, () =>
     onPage(kit, options, async (page) => {
       await twoSheets(page);

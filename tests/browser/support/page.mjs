@@ -7,7 +7,6 @@ import { after, before } from 'node:test';
 import { chromium } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { openPage, startBrowser, startSite } from '../../../.ci/lib/browser.mjs';
-import { kRounds } from '../../support/rounds.mjs';
 
 /** Window of the tests: wide enough for the side panel. */
 export const kWindow = { width: 1100, height: 720 };
@@ -28,10 +27,7 @@ if (process.env.SPINELOFT_ENGINE === 'single') kEngines.reverse();
 /** Whether pages draw that no test looks at: in `npm run test:all`, and where somebody will look at pictures of them. */
 const kAllDraw = Boolean(process.env.SPINELOFT_ALL_DRAW ?? process.env.SPINELOFT_PICTURES);
 
-/**
- * Pointers, each in a window: each once in `npm test`, in windows of both sizes in `npm run test:all`. A finger comes before a
- * pen: where a pen was in use, a finger moves the picture.
- */
+/** Pointers, each in a window. A finger comes before a pen: where a pen was in use, a finger moves the picture. */
 export const kHands = [
   ['mouse', '1440×900', kDesk],
   ['finger', '1440×900', kDesk],
@@ -39,7 +35,7 @@ export const kHands = [
   ['mouse', '390×844', kPhone],
   ['finger', '390×844', kPhone],
   ['pen', '390×844', kPhone],
-].filter((_, i) => kRounds > 1 || [0, 2, 4].includes(i));
+];
 
 /**
  * In the page, before its own scripts: the engine's stages count as warmed up. Its twelve rounds take the processor for
