@@ -24,4 +24,8 @@ inline constexpr std::size_t kMostSectionKeys = 32;
 /// outer curves and holes. Errors: SectionInvalid, ValueOutOfRange.
 Status checkSectionKeys(std::span<const SectionKey> keys);
 
+/// The section at a share of the spine's length, as a loft along keys that pass checkSectionKeys has it there. Error:
+/// SectionInvalid.
+Result<sections::SectionShape> sectionAt(std::span<const SectionKey> keys, double at);
+
 }  // namespace spineloft::loft

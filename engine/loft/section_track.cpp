@@ -12,6 +12,8 @@
 namespace spineloft::loft {
 namespace {
 
+constexpr int kPointsAt = 96;  // of a section that is asked for
+
 using Curve = std::vector<SectionPoint>;
 using Pieces = std::vector<sections::SectionPiece>;
 
@@ -262,6 +264,21 @@ double SectionTrack::progress(double share) const {
   constexpr double kSteps = 12;  // rings from one key to the next
   const Place place = placeAt(share);
   return kSteps * (static_cast<double>(place.from) + std::clamp(place.f, -1.0, 2.0));
+}
+
+Result<sections::SectionShape> sectionAt(std::span<const SectionKey> keys, double at) {
+  const Result<SectionTrack> track = SectionTrack::along(keys, kPointsAt, false);
+  if (!track) return track.failure();
+  std::vector<SectionPoint> points;
+  track.value().appendShape(at, points);
+  sections::SectionShape shape;
+  auto next = points.begin();
+  for (const std::size_t size : track.value().sizes()) {
+    const auto end = next + static_cast<std::ptrdiff_t>(size);
+    shape.contours.emplace_back(next, end);
+    next = end;
+  }
+  return shape;
 }
 
 }  // namespace spineloft::loft

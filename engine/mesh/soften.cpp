@@ -105,12 +105,12 @@ std::vector<bool> onRims(const TriMesh& mesh, const std::vector<std::uint32_t>& 
   return rims;
 }
 
-/// The crease with the vertices on the sharp edges of its regions, also on those that end at a fixed vertex.
+/// The crease with the vertices on the sharp edges of its region, also on those that end at a fixed vertex.
 void takeInSharp(const TriMesh& mesh, const std::vector<std::uint32_t>& regions, Crease& crease) {
   constexpr double kSharp = 0.966;  // cosine
   const std::vector<double> bends = bendsOf(mesh, findTwins(mesh));
   std::vector<bool> own(mesh.positions.size()), found(mesh.positions.size(), false);
-  for (std::size_t v = 0; v < own.size(); ++v) own[v] = regions[v] >= crease.first && regions[v] < crease.last;
+  for (std::size_t v = 0; v < own.size(); ++v) own[v] = crease.region != 0 && regions[v] == crease.region;
   for (const std::uint32_t v : crease.vertices) own[v] = found[v] = true;
   const auto belongs = [&](std::uint32_t v) { return own[v] || regions[v] == kFixed; };
   for (std::uint32_t h = 0; h < bends.size(); ++h) {
@@ -126,10 +126,12 @@ void takeInSharp(const TriMesh& mesh, const std::vector<std::uint32_t>& regions,
 /// Splits edges in the middle, and the triangles beside them.
 class Splitter {
  public:
-  Splitter(TriMesh& mesh, Crease& crease, std::vector<std::uint32_t>& regions)
-      : mesh_(mesh), crease_(crease), regions_(regions) {
-    isCrease_.resize(mesh.positions.size(), false);
-    for (const std::uint32_t v : crease.vertices) isCrease_[v] = true;
+  Splitter(TriMesh& mesh, std::vector<Crease>& creases, std::vector<std::uint32_t>& regions)
+      : mesh_(mesh), creases_(creases), regions_(regions), isCrease_(creases.size()) {
+    for (std::size_t i = 0; i < creases.size(); ++i) {
+      isCrease_[i].resize(mesh.positions.size(), false);
+      for (const std::uint32_t v : creases[i].vertices) isCrease_[i][v] = true;
+    }
   }
 
   /// All edges within `ways` that are longer than `longest`, once. False: there are none.
@@ -143,13 +145,33 @@ class Splitter {
         }
       }
     }
+    return splitAtMiddles();
+  }
+
+  /// The edges of all triangles that meet at more than the angle of this cosine when the vertices are where `bent` has
+  /// them, once; edges between fixed vertices stay whole. False: there are none.
+  bool splitBent(const TriMesh& bent, double sharp) {
+    middles_.clear();
+    const std::vector<double> bends = bendsOf(bent, findTwins(bent));
+    const auto isFixed = [&](std::uint32_t h) {
+      return regions_[cornerVertex(bent, h)] == kFixed && regions_[cornerVertex(bent, nextHalfEdge(h))] == kFixed;
+    };
+    for (std::uint32_t h = 0; h < bends.size(); ++h) {
+      if (bends[h] >= sharp || isFixed(h)) continue;
+      for (std::uint32_t i = h - h % 3; i < h - h % 3 + 3; ++i) {
+        if (!isFixed(i)) addMiddle(cornerVertex(bent, i), cornerVertex(bent, nextHalfEdge(i)));
+      }
+    }
+    return splitAtMiddles();
+  }
+
+ private:
+  bool splitAtMiddles() {
     if (middles_.empty()) return false;
     const std::vector<std::array<std::uint32_t, 3>> old = std::exchange(mesh_.triangles, {});
     for (const auto& t : old) splitTriangle(t);
     return true;
   }
-
- private:
   static std::uint32_t between(std::uint32_t a, std::uint32_t b) {
     if (a == b || b == 0 || b == kFixed) return a == kFixed ? b : a;
     return a == 0 || a == kFixed ? b : 0;
@@ -166,8 +188,11 @@ class Splitter {
       mesh_.uv.push_back({(s[0] + t[0]) / 2, (s[1] + t[1]) / 2});
     }
     regions_.push_back(between(regions_[a], regions_[b]));
-    isCrease_.push_back(isCrease_[a] && isCrease_[b]);
-    if (isCrease_.back()) crease_.vertices.push_back(static_cast<std::uint32_t>(mesh_.positions.size() - 1));
+    for (std::size_t i = 0; i < creases_.size(); ++i) {
+      std::vector<bool>& on = isCrease_[i];
+      on.push_back(on[a] && on[b]);
+      if (on.back()) creases_[i].vertices.push_back(static_cast<std::uint32_t>(mesh_.positions.size() - 1));
+    }
   }
   std::optional<std::uint32_t> middle(std::uint32_t a, std::uint32_t b) const {
     const auto known = middles_.find(keyOf(a, b));
@@ -199,16 +224,14 @@ class Splitter {
   }
 
   TriMesh& mesh_;
-  Crease& crease_;
+  std::vector<Crease>& creases_;
   std::vector<std::uint32_t>& regions_;
-  std::vector<bool> isCrease_;
+  std::vector<std::vector<bool>> isCrease_;  ///< by crease and vertex
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
 /// Moves what is free to where the surface is fair.
-template <class Hold>
-void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std::uint32_t>& regions, double reach,
-          const Hold& hold) {
+void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std::uint32_t>& regions, double reach) {
   const Stiffness stiffness = stiffnessOf(mesh);
   const std::vector<bool> rims = onRims(mesh, regions);
   std::vector<int> index(mesh.positions.size(), -1);
@@ -261,28 +284,34 @@ void fair(TriMesh& mesh, const std::vector<double>& ways, const std::vector<std:
   if (!moved.allFinite()) return;
   for (std::size_t i = 0; i < free.size(); ++i) {
     const auto place = moved.row(static_cast<Eigen::Index>(i));
-    ModelPoint p{place[0], place[1], place[2]};
-    if (hold) p = hold(regions[free[i]], p);
-    mesh.positions[free[i]] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    mesh.positions[free[i]] = {static_cast<float>(place[0]), static_cast<float>(place[1]),
+                               static_cast<float>(place[2])};
   }
 }
 
 }  // namespace
 
-void soften(TriMesh& mesh, std::vector<Crease> creases, std::vector<std::uint32_t>& regions,
-            const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold) {
+void soften(TriMesh& mesh, std::vector<Crease> creases, std::vector<std::uint32_t>& regions) {
   constexpr double kLongest = 0.35, kMargin = 1.25;  // of the reach
+  constexpr double kSharp = 0.866;                   // cosine
   constexpr int kMostRounds = 6;
-  for (Crease& crease : creases) {
-    takeInSharp(mesh, regions, crease);
-    Splitter splitter(mesh, crease, regions);
+  for (Crease& crease : creases) takeInSharp(mesh, regions, crease);
+  Splitter splitter(mesh, creases, regions);
+  for (const Crease& crease : creases) {
     for (int round = 0; round < kMostRounds; ++round) {
       if (!splitter.split(waysFrom(mesh, crease.vertices, kMargin * crease.reach), kLongest * crease.reach)) break;
     }
   }
-  for (const Crease& crease : creases) {
-    fair(mesh, waysFrom(mesh, crease.vertices, crease.reach), regions, crease.reach, hold);
-  }
+  const auto faired = [&] {
+    TriMesh out = mesh;
+    for (const Crease& crease : creases) {
+      fair(out, waysFrom(out, crease.vertices, crease.reach), regions, crease.reach);
+    }
+    return out;
+  };
+  TriMesh bent = faired();
+  // What is still sharp bends more than its triangles can follow.
+  mesh = splitter.splitBent(bent, kSharp) ? faired() : std::move(bent);
 }
 
 }  // namespace spineloft::mesh

@@ -1,12 +1,9 @@
 // Rounding a crease: the surface about it is made fair (Botsch and Kobbelt 2004), the less the farther away.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
-#include "engine/base/vec.h"
 #include "engine/mesh/tri_mesh.h"
 
 namespace spineloft::mesh {
@@ -17,22 +14,21 @@ inline constexpr std::uint32_t kFixed = 0xffffffffu;
 /// Where a surface is to be rounded.
 struct Crease {
   std::vector<std::uint32_t> vertices;  ///< the crease runs through them
-  std::uint32_t first = 0, last = 0;    ///< its regions: from `first` to before `last`, > 0; none where equal
+  std::uint32_t region = 0;             ///< whose sharp edges it takes in; 0: none
   double reach = 0;                     ///< along the surface, the mesh's units, > 0: what is farther away stays
 };
 
-/// Rounds a closed mesh. Edges near a crease that are longer than 0.35 of its reach are split first, so that new
-/// vertices and triangles may come behind those that there are, with texture coordinates from between. `regions` (one a
-/// vertex, grows with the mesh) says which are fixed and stay, as new ones between two of them do; of others, by any
-/// number, which space they are in: `hold` brings a place back into it. New vertices are in the space of both their
-/// neighbours, or of the one that is not in 0.
+/// Rounds a closed mesh. Edges near a crease that are longer than 0.35 of its reach are split first, and once more
+/// those of triangles that would still meet at more than 30°, so that new vertices and triangles may come behind those
+/// that there are, with texture coordinates from between. `regions`, one a vertex, grows with the mesh: kFixed, or any
+/// number. New vertices are in the region of both their neighbours, or of the one that is neither fixed nor 0.
 ///
-/// A crease takes in the sharp edges (15°) of its regions. For one after the other, what is within reach and not fixed
+/// A crease takes in the sharp edges (15°) of its region. For one after the other, what is within reach and not fixed
 /// minimises Σ |(L x)ᵢ|²/Mᵢ + Σ μⱼ |xⱼ − x⁰ⱼ|², L the cotangent Laplacian of the mesh as it was, M a third of the
 /// triangles' areas, μ = 400 (d/ρ)⁴ M/ρ⁴, d the way to the crease along edges and ρ the reach; the sum leaves out
 /// vertices on sharp edges (60°) between fixed ones, as of a flat end, over which nothing goes on smoothly. It does not
-/// look whether the surface goes through itself then (self_crossing.h). Cost: sparse Cholesky factorisations.
-void soften(TriMesh& mesh, std::vector<Crease> creases, std::vector<std::uint32_t>& regions,
-            const std::function<ModelPoint(std::uint32_t region, ModelPoint)>& hold = {});
+/// look whether the surface goes through itself then (self_crossing.h). Cost: sparse Cholesky factorisations, one or
+/// two a crease.
+void soften(TriMesh& mesh, std::vector<Crease> creases, std::vector<std::uint32_t>& regions);
 
 }  // namespace spineloft::mesh

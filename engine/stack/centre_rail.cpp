@@ -33,20 +33,6 @@ void moveCurves(Plane& plane, SectionPoint by) {
   }
 }
 
-namespace {
-
-/// What turns `from` so that its directions are those of `to`, in the coordinates of `from`.
-geometry::Turn turnBetween(const Stand& from, const Stand& to) {
-  const auto in = [&](ModelPoint v) { return ModelPoint{dot(v, from.x), dot(v, from.y), dot(v, from.normal())}; };
-  const ModelPoint normal = in(to.normal()), x = in(to.x);
-  const geometry::Turn lean = geometry::turnTo(ModelPoint{0, 0, 1}, normal);
-  const ModelPoint leant = geometry::turned(lean, ModelPoint{1, 0, 0});
-  const double angle = std::atan2(dot(cross(leant, x), normal), dot(leant, x));
-  return geometry::after(lean, geometry::turnAbout(normal, angle));
-}
-
-}  // namespace
-
 Result<OnRail> ontoCentres(const std::vector<Plane>& planes, const Rail& rail) {
   if (planes.size() < (rail.closed ? 3u : 2u)) {
     return {Error::StackInvalid, rail.closed ? "a closed rail through the middles needs three sheets: draw another one"

@@ -56,9 +56,8 @@ std::vector<Leave> leavesOf(const Cell& cell, const Loop& branch, ModelPoint ste
 }
 
 /// The surface from a cell of a stem to its branch.
-LinkSpace addBranch(const Cell& cell, ModelPoint stemNormal, const Loop& branch, bool inwards, const JointShape& shape,
-                    Skin& skin) {
-  const auto before = static_cast<std::uint32_t>(skin.vertices());
+void addBranch(const Cell& cell, ModelPoint stemNormal, const Loop& branch, bool inwards, const JointShape& shape,
+               Skin& skin) {
   std::size_t first = 0;
   const std::vector<Leave> leaves = leavesOf(cell, branch, stemNormal, first);
   std::vector<std::array<ModelPoint, 4>> arcs;
@@ -85,7 +84,6 @@ LinkSpace addBranch(const Cell& cell, ModelPoint stemNormal, const Loop& branch,
     }
     last = std::move(next);
   }
-  return {before, static_cast<std::uint32_t>(skin.vertices()), cell.within};
 }
 
 /// The same curve looking back.
@@ -192,7 +190,6 @@ JointCuts addByMiddles(const Joint& joint, const JointShape& whole, Skin& skin) 
   JointCuts upper = addJoint(high, shape, skin);
   cuts.above = std::move(upper.above);
   cuts.crease.insert(cuts.crease.end(), upper.crease.begin(), upper.crease.end());
-  std::ranges::move(upper.spaces, std::back_inserter(cuts.spaces));
   for (auto* side : {&cuts.below, &cuts.above}) {
     for (std::optional<double>& rise : *side) {
       if (rise) *rise /= 2;
@@ -224,18 +221,17 @@ JointCuts addJoint(const Joint& joint, const JointShape& shape, Skin& skin) {
     return addByMiddles(joint, shape, skin);
   }
   const std::vector<Cells> upCells = up.cells(skin), downCells = down.cells(skin);
-  std::vector<LinkSpace> spaces;
   for (const auto& [i, j] : joint.links) {
     const Loop &from = up.stems[i], &to = down.stems[j];
     if (const Cell* cell = cellFor(downCells[j], i)) {
-      spaces.push_back(addBranch(*cell, to.normal, turnedOver(from), joint.inwards, shape, skin));
+      addBranch(*cell, to.normal, turnedOver(from), joint.inwards, shape, skin);
     } else {
       const Cell* part = cellFor(upCells[i], j);
       const Cell own = part ? *part : wholeOf(from);
-      spaces.push_back(addBranch(own, from.normal, joint.above[j], joint.inwards, shape, skin));
+      addBranch(own, from.normal, joint.above[j], joint.inwards, shape, skin);
     }
   }
-  JointCuts cuts{risesOf(upCells), risesOf(downCells), {}, std::move(spaces)};
+  JointCuts cuts{risesOf(upCells), risesOf(downCells), {}};
   for (const auto* side : {&upCells, &downCells}) {
     for (const Cells& one : *side) cuts.crease.insert(cuts.crease.end(), one.crease.begin(), one.crease.end());
   }

@@ -36,17 +36,10 @@ struct HalfSpace {
 /// The point brought into all half-spaces, as far as some rounds of projections do that.
 ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within);
 
-/// The new vertices of one link, first … last − 1, and where they stay.
-struct LinkSpace {
-  std::uint32_t first = 0, last = 0;
-  std::vector<HalfSpace> within;
-};
-
 /// Where a joint was cut.
 struct JointCuts {
   std::vector<std::optional<double>> below, above;  ///< rise of the first one through each curve; none: it becomes one
   RingVertices crease;                              ///< the vertices of all between their ends
-  std::vector<LinkSpace> spaces;
 };
 
 /// How a joint is made.

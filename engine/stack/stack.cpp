@@ -75,13 +75,10 @@ class Builder {
   mesh::TriMesh take() { return skin_.take(); }
   const std::vector<Ways::Fork>& forks() const { return forks_; }
   const std::vector<mesh::Crease>& creases() const { return creases_; }
-  const std::vector<LinkSpace>& spaces() const { return spaces_; }
-  /// By vertex: kFixed on curves that were drawn, the number of its space from 1, or 0.
+  /// By vertex: kFixed on curves that were drawn, the region of the crease of its fork, or 0.
   std::vector<std::uint32_t> regions() const {
-    std::vector<std::uint32_t> regions(skin_.vertices(), 0);
-    for (std::size_t i = 0; i < spaces_.size(); ++i) {
-      for (std::uint32_t v = spaces_[i].first; v < spaces_[i].last; ++v) regions[v] = static_cast<std::uint32_t>(i + 1);
-    }
+    std::vector<std::uint32_t> regions = regions_;
+    regions.resize(skin_.vertices(), 0);
     for (const RingVertices& ring : rings_) {
       for (const std::uint32_t v : ring) regions[v] = mesh::kFixed;
     }
@@ -141,17 +138,18 @@ class Builder {
       }
     }
     joint.inwards = network_.curves[curves[0].front()].hole;
+    const std::size_t before = skin_.vertices();
     JointCuts cuts = addJoint(joint, shape_, skin_);
     double radii = 0;
     for (const auto& side : curves) {
       for (const std::size_t curve : side) radii += network_.curves[curve].radius;
     }
     const auto count = static_cast<double>(curves[0].size() + curves[1].size());
-    const auto regions = [&] { return static_cast<std::uint32_t>(spaces_.size() + 1); };
-    const std::uint32_t first = regions();
-    std::ranges::move(cuts.spaces, std::back_inserter(spaces_));
     if (!cuts.crease.empty()) {
-      creases_.push_back({std::move(cuts.crease), first, regions(), params_.melt * radii / count});
+      const auto region = static_cast<std::uint32_t>(creases_.size() + 1);
+      regions_.resize(before, 0);
+      regions_.resize(skin_.vertices(), region);
+      creases_.push_back({std::move(cuts.crease), region, params_.melt * radii / count});
     }
     for (const bool up : {true, false}) {
       const auto& of = up ? cuts.below : cuts.above;
@@ -379,7 +377,7 @@ class Builder {
   std::vector<Passage> passages_;
   std::vector<Ways::Fork> forks_;
   std::vector<mesh::Crease> creases_;
-  std::vector<LinkSpace> spaces_;
+  std::vector<std::uint32_t> regions_;  ///< of the vertices so far
   int most_ = kMostRows;
   JointShape shape_;
 };
@@ -431,22 +429,18 @@ std::vector<Ways::Link> linksOf(const Sheets& sheets, const Network& network) {
 /// What a solid needs to have its creases rounded.
 struct Melting {
   std::vector<mesh::Crease> creases;
-  std::vector<LinkSpace> spaces;
   std::vector<std::uint32_t> regions;  ///< see Builder
 };
 
 /// With rounded creases, narrower where the surface would go through itself or break a law otherwise. Curves that were
-/// drawn stay, and links in their spaces.
+/// drawn stay.
 mesh::TriMesh melted(const mesh::TriMesh& mesh, const Melting& melting, image::Size picture) {
-  const auto hold = [&](std::uint32_t region, ModelPoint p) {
-    return region == 0 ? p : held(p, melting.spaces[region - 1].within);
-  };
   for (const double share : {1.0, 0.7}) {
     mesh::TriMesh round = mesh;
     std::vector<mesh::Crease> creases = melting.creases;
     for (mesh::Crease& crease : creases) crease.reach *= share;
     std::vector<std::uint32_t> regions = melting.regions;
-    mesh::soften(round, std::move(creases), regions, hold);
+    mesh::soften(round, std::move(creases), regions);
     for (std::size_t v = 0; v < round.positions.size(); ++v) {
       const auto& p = round.positions[v];
       if (v >= mesh.positions.size() || p != mesh.positions[v]) round.uv[v] = Skin::uvOf({p[0], p[1], p[2]}, picture);
@@ -474,7 +468,7 @@ std::optional<Result<Stacked>> built(const Sheets& sheets, const Network& networ
     builder.setShape(shape);
     const Builder::Outcome outcome = builder.run();
     if (outcome == Builder::Outcome::TooRough) return std::nullopt;
-    if (params.melt > 0) melting = {builder.creases(), builder.spaces(), builder.regions()};
+    if (params.melt > 0) melting = {builder.creases(), builder.regions()};
     made = {builder.take(), {linksOf(sheets, network), builder.forks()}};
     mesh::MeshReport report = mesh::inspect(made.mesh);
     if (!report.outward) {  // it goes back through itself more than ahead

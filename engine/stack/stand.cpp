@@ -35,6 +35,15 @@ Result<Stand> standOf(const Plane& plane, const Rail& rail) {
   return standOf(plane, std::optional(line.value()));
 }
 
+geometry::Turn turnBetween(const Stand& from, const Stand& to) {
+  const auto in = [&](ModelPoint v) { return ModelPoint{dot(v, from.x), dot(v, from.y), dot(v, from.normal())}; };
+  const ModelPoint normal = in(to.normal()), x = in(to.x);
+  const geometry::Turn lean = geometry::turnTo(ModelPoint{0, 0, 1}, normal);
+  const ModelPoint leant = geometry::turned(lean, ModelPoint{1, 0, 0});
+  const double angle = std::atan2(dot(cross(leant, x), normal), dot(leant, x));
+  return geometry::after(lean, geometry::turnAbout(normal, angle));
+}
+
 Result<std::vector<Stand>> standsOf(const std::vector<Plane>& planes, const Rail& rail) {
   std::optional<RailLine> line;
   if (std::ranges::any_of(planes, [](const Plane& plane) { return !plane.origin; })) {

@@ -20,6 +20,10 @@ struct Stand {
 /// Where a plane stands. Error: StackInvalid (a plane on a rail that has no length).
 Result<Stand> standOf(const Plane& plane, const Rail& rail);
 
+/// What turns `from` so that its directions are those of `to`, in the coordinates of `from`: Plane::turn of a plane
+/// that stands as `to` does, where `from` is how it stands without one.
+geometry::Turn turnBetween(const Stand& from, const Stand& to);
+
 /// The same for several planes, which have the rail's line made once.
 Result<std::vector<Stand>> standsOf(const std::vector<Plane>& planes, const Rail& rail);
 

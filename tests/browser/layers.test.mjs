@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { sample } from '../support/rounds.mjs';
-import { findControl, onBoard, onCanvas, press, strokeAlong } from './support/hands.mjs';
+import { control, findControl, onBoard, onCanvas, press, strokeAlong } from './support/hands.mjs';
 import { exported, idle, kPhone, kSharp, onPage, pixels, run, state, useSite } from './support/page.mjs';
 
 const kit = useSite();
@@ -281,4 +281,38 @@ test('what lies before the sheet is faint, what lies behind it stays as it is', 
     await idle(page);
     const top = await warmth();
     assert.ok(part.filter((i) => top[i] < 0.6 * whole[i]).length < 0.1 * part.length);
+  }));
+
+test('a layer leaves the line, its part becomes another one by its slices, and the view flies along it', () =>
+  onPage(kit, {}, async (page) => {
+    await paper(page);
+    await draw(page, 'mouse', circle(0, 0, 0.4));
+    await lift(page, 'mouse', 150);
+    await draw(page, 'mouse', circle(0, 0, 0.25));
+    await press(page, 'Off the line');
+    let now = await state(page);
+    assert.deepEqual([now.sheet.free, now.sheet.layer], [true, 1]);
+    const low = now.sheet.corners;
+    await lift(page, 'mouse', 60);
+    now = await state(page);
+    assert.ok(now.sheet.corners[0][1] < low[0][1] - 20, 'it went up with its knob');
+    assert.equal(now.parts[0].failure, null);
+
+    await press(page, 'Copy slices');
+    await run(page, 'new-part');
+    await run(page, 'layers');
+    await press(page, 'Paste slices');
+    now = await state(page);
+    assert.equal(now.parts.length, 2);
+    assert.deepEqual([now.parts[1].kind, now.parts[1].failure, now.sheet.layers.length], ['stack', null, 2]);
+
+    const { camera } = now;
+    const [x, y, width, height] = (await control(page, 'Fly along')).at;
+    const [button] = await onCanvas(page, [x + width / 2, y + height / 2]);
+    await page.mouse.click(button.x, button.y);
+    await page.waitForTimeout(500);
+    assert.notDeepEqual((await state(page)).camera, camera);
+    await page.mouse.click(button.x, button.y);
+    await idle(page);
+    assert.deepEqual((await state(page)).camera, camera);
   }));

@@ -13,6 +13,7 @@ std::span<const Command> regionCommands();        ///< puffs and flat pieces: re
 std::span<const Command> puffBoneCommands();      ///< bones of puffs: puff_bone_commands.cpp
 std::span<const Command> latheCommands();         ///< spun parts: lathe_commands.cpp
 std::span<const Command> layerCommands();         ///< parts drawn layer by layer: layer_commands.cpp
+std::span<const Command> layerSettingCommands();  ///< of a whole such part: layer_setting_commands.cpp
 std::span<const Command> shapeCommands();         ///< shapes, pictures that are sides: shape_commands.cpp
 std::span<const Command> shapeToolCommands();     ///< shapes by hand and by keys: shape_tool_commands.cpp
 std::span<const Command> lineCommands();          ///< line drawings: line_commands.cpp
@@ -23,6 +24,7 @@ std::span<const Command> cutCommands();           ///< cutting out of the pictur
 std::span<const Command> outlineCommands();       ///< points of outlines by keys: outline_commands.cpp
 std::span<const Command> spineCommands();         ///< moving and posing spines: bone_commands.cpp
 std::span<const Command> sectionCommands();       ///< sections along the spine, curves: slice_commands.cpp
+std::span<const Command> alongCommands();         ///< copied slices, flights: along_commands.cpp
 std::span<const Command> sectionBoardCommands();  ///< drawing a section: slice_board_commands.cpp
 std::span<const Command> sketchCommands();        ///< paper, pen and eraser: sketch_commands.cpp
 std::span<const Command> placeCommands();         ///< places, copies, groups: place_commands.cpp

@@ -17,10 +17,11 @@ namespace {
 
 /// In the order of the command bar.
 constexpr std::array kGroups = {
-    generalCommands, ribCommands,       regionCommands, puffBoneCommands, latheCommands,        layerCommands,
-    shapeCommands,   shapeToolCommands, lineCommands,   pullCommands,     bridgeCommands,       reliefCommands,
-    cutCommands,     outlineCommands,   spineCommands,  sectionCommands,  sectionBoardCommands, sketchCommands,
-    placeCommands,   lookCommands,      sizeCommands,   solidCommands,    hollowCommands,       keepCommands};
+    generalCommands,      ribCommands,    regionCommands,    puffBoneCommands, latheCommands,   layerCommands,
+    layerSettingCommands, shapeCommands,  shapeToolCommands, lineCommands,     pullCommands,    bridgeCommands,
+    reliefCommands,       cutCommands,    outlineCommands,   spineCommands,    sectionCommands, alongCommands,
+    sectionBoardCommands, sketchCommands, placeCommands,     lookCommands,     sizeCommands,    solidCommands,
+    hollowCommands,       keepCommands};
 
 std::vector<Command> joinGroups() {
   std::vector<Command> all;

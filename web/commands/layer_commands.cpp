@@ -11,6 +11,7 @@
 #include "web/commands/modes.h"
 #include "web/commands/section_json.h"
 #include "web/edit/drawn_rail.h"
+#include "web/edit/free_layers.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/layers.h"
@@ -41,16 +42,16 @@ bool canCopy(Env env) {
 const document::StackRecipe* layersOf(const document::Part* part) {
   return part != nullptr ? document::stackOf(*part) : nullptr;
 }
-const document::Part* chosen(Env env) { return document::findPart(env.studio.document(), env.ui.selection); }
-bool hasLayers(Env env) { return layersOf(chosen(env)) != nullptr; }
-bool canRepeat(Env env) { return hasLayers(env) && repeatsOf(*layersOf(chosen(env))); }
-bool hasWalls(Env env) { return hasLayers(env) && wallOf(*layersOf(chosen(env))); }
 bool onRail(Env env) {
   const auto sheet = placeOf(env);
   return sheet && sheet->onRail();
 }
+bool isFree(Env env) {
+  const auto sheet = placeOf(env);
+  return sheet && sheet->isFree();
+}
+bool canBeFree(Env env) { return onLayer(env) && onRail(env); }
 bool railIsDrawn(Env env) { return drawsRail(env.studio.document(), env.ui); }
-bool hasOpenLines(Env env) { return hasLayers(env) && openLinesOf(*layersOf(chosen(env))); }
 bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
 
 /// All of the bounds, within what no bar covers of the view.
@@ -243,100 +244,6 @@ Outcome drawStack(Env env, const Json& args) {
   return keepLayers(env, {}, recipe, recipe.rail.points.empty() ? 0 : recipe.planes.back().at);
 }
 
-/// Of the part that is meant.
-template <class Change>
-Outcome setLayers(Env env, const Json& args, const Change& change) {
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
-  const document::StackRecipe* layers = layersOf(part);
-  if (layers == nullptr) return refuse({Error::NotAStack, {}});
-  const Result<document::StackRecipe> changed = change(*layers);
-  return changed ? remakeLayers(env, part->id, changed.value()) : refuse(changed.failure());
-}
-using Changed = Result<document::StackRecipe>;
-
-/// `points`: [x, y, z] in picture pixels from the picture's corner, y up, z to the viewer.
-Outcome railThrough(Env env, const Json& args, const Json& points) {
-  stack::Rail rail{{}, args.flag("closed").value_or(false)};
-  const Json::Array* list = points.array();
-  for (const Json& point : list ? *list : Json::Array()) {
-    const Json::Array* p = point.array();
-    if (p == nullptr || p->size() != 3 || !(*p)[0].number() || !(*p)[1].number() || !(*p)[2].number()) {
-      return missing("points: a list of [x, y, z] in picture pixels");
-    }
-    rail.points.push_back({*(*p)[0].number(), *(*p)[1].number(), *(*p)[2].number()});
-  }
-  if (rail.points.size() < 2) return missing("points: two or more [x, y, z] in picture pixels");
-  if (!stack::isValid(rail)) return refuse({Error::ValueOutOfRange, "points"});
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (layers.rail.points.empty()) return {Error::StackInvalid, kNoRail};
-    return withRail(layers, rail);
-  });
-}
-
-Outcome railRow(Env env, const Json& args) {
-  if (const Json* points = args.find("points")) return railThrough(env, args, *points);
-  const std::string* key = args.text("rail");
-  if (key == nullptr)
-    return missing("a rail: \"up\", \"across\", \"deep\", \"ring\", \"spring\", \"middles\" or \"draw\"");
-  const document::Part* part = partOf(env, args);
-  if (part == nullptr) return noPart();
-  if (*key == "draw") return drawRail(env, part->id);
-  if (*key == "middles") return followMiddles(env, part->id);
-  const auto name = std::ranges::find(kRailShapes, *key, &RailShapeName::key);
-  if (name == kRailShapes.end()) return refuse({Error::ValueOutOfRange, *key});
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (layers.rail.points.empty()) return {Error::StackInvalid, kNoRail};
-    return withRail(layers, name->shape);
-  });
-}
-
-Outcome repeatRow(Env env, const Json& args) {
-  const double times = args.number("times").value_or(0);
-  if (!(times >= 1 && times <= stack::kMostTimes && times == std::floor(times))) {
-    return missing("how often: a whole number from 1 on (times)");
-  }
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (!repeatsOf(layers))
-      return {Error::StackInvalid, "two layers or more on a rail can be repeated: draw another one"};
-    return withRepeats(layers, static_cast<std::uint32_t>(times));
-  });
-}
-
-Outcome blendRow(Env env, const Json& args) {
-  const std::string* key = args.text("blend");
-  if (key == nullptr) return missing("a blend: \"flow\", \"linear\" or \"hold\"");
-  const auto kind = sections::blendFromKey(*key);
-  if (!kind || *kind == sections::BlendKind::Custom) return refuse({Error::ValueOutOfRange, *key});
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed { return withBlend(layers, *kind); });
-}
-
-Outcome bumpsRow(Env env, const Json& args) {
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    stack::Rough rough = layers.stack.rough;
-    rough.amount = args.number("amount").value_or(rough.amount);
-    rough.size = args.number("size").value_or(rough.size);
-    rough.keepDrawn = args.flag("keepDrawn").value_or(rough.keepDrawn);
-    const double seed = args.number("seed").value_or(rough.seed);
-    if (!(seed >= 0 && seed <= 0xffffffff && std::floor(seed) == seed)) return {Error::ValueOutOfRange, "seed"};
-    rough.seed = static_cast<std::uint32_t>(seed);
-    return withBumps(layers, rough);
-  });
-}
-
-Outcome openLinesRow(Env env, const Json& args) {
-  const std::string* key = args.text("as");
-  if (key == nullptr) return missing("what open lines become: \"wall\" or \"ground\"");
-  if (*key != "wall" && *key != "ground") return refuse({Error::ValueOutOfRange, *key});
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (!openLinesOf(layers))
-      return {Error::StackInvalid, "no line of its layers is open: draw one that does not close"};
-    const auto sheet = sheetFor(env.studio.document(), partOf(env, args)->id, {}, std::nullopt);
-    return withOpenLines(layers, *key == "wall" ? stack::CurveUse::Ribbon : stack::CurveUse::Ground,
-                         sheet ? newWallOf(*sheet) : 1);
-  });
-}
-
 Outcome leanRow(Env env, const Json& args) {
   const auto sheet = sheetOf(env);
   if (!sheet) return noSheet();
@@ -344,19 +251,30 @@ Outcome leanRow(Env env, const Json& args) {
   Lean lean = leanOf(*sheet);
   for (const auto& [key, way] : {std::pair{"front", &Lean::front}, {"side", &Lean::side}}) {
     const auto degrees = args.number(key);
-    if (degrees && !(std::abs(*degrees) <= kMostLean)) return refuse({Error::ValueOutOfRange, key});
+    if (degrees && !(std::abs(*degrees) <= mostLean(*sheet, way))) return refuse({Error::ValueOutOfRange, key});
     lean.*way = degrees.value_or(lean.*way);
   }
   return leanSheet(env, turnFor(*sheet, lean));
 }
 
-Outcome wallRow(Env env, const Json& args) {
-  const double width = args.number("width").value_or(0);
-  if (!(width > 0)) return missing("a width in picture pixels, above 0");
-  return setLayers(env, args, [&](const document::StackRecipe& layers) -> Changed {
-    if (!wallOf(layers)) return {Error::StackInvalid, "it has no wall: draw a line that stays open"};
-    return withWalls(layers, width);
-  });
+/// With numbers, a free layer so many picture pixels from its place on the rail.
+Outcome freeRow(Env env, const Json& args) {
+  const auto sheet = sheetOf(env);
+  if (!sheet || !sheet->layer) return noSheet();
+  const auto side = args.number("side"), front = args.number("front"), ahead = args.number("ahead");
+  const bool moves = side || front || ahead;
+  for (const auto& number : {side, front, ahead}) {
+    if (number && !(std::abs(*number) <= stack::kFarOut)) return refuse({Error::ValueOutOfRange, "picture pixels"});
+  }
+  auto made = withFree(*sheet, args.flag("on").value_or(moves || !sheet->isFree()));
+  if (!made) return refuse(made.failure());
+  Sheet freed = *sheet;
+  freed.recipe = std::move(made).value();
+  if (moves && freed.isFree()) {
+    const Offset now = offsetOf(freed, freed.recipe.planes[*freed.layer]);
+    freed.recipe = withOffset(freed, {side.value_or(now.side), front.value_or(now.front), ahead.value_or(now.ahead)});
+  }
+  return remakeLayers(env, sheet->part, freed.recipe);
 }
 
 /// Links and forks between the layer on the sheet and its neighbours, as state() counts them.
@@ -389,12 +307,9 @@ Outcome forkRow(Env env, const Json& args) {
   return remakeLayers(env, sheet->part, recipe);
 }
 
-constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"}, kFront{"front"}, kAs{"as"};
-constexpr Argument kRail{"rail"}, kTimes{"times"}, kBlend{"blend"}, kAmount{"amount"}, kWidth{"width"},
-    kRecipe{"recipe"};
-constexpr Condition kHasLayers{hasLayers, Condition::Part}, kCanRepeat{canRepeat, Condition::Part},
-    kHasWalls{hasWalls, Condition::Part}, kHasOpenLines{hasOpenLines, Condition::Part};
-constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy}, kOnRail{onRail};
+constexpr Argument kLine{"line"}, kAt{"at"}, kTo{"to"}, kLink{"link"}, kFront{"front"}, kRecipe{"recipe"};
+constexpr Condition kHasSheet{sheetIsShown}, kOnLayer{onLayer}, kCanCopy{canCopy}, kOnRail{onRail},
+    kCanBeFree{canBeFree};
 
 // clang-format off
 constexpr std::array kTable = {
@@ -421,22 +336,12 @@ constexpr std::array kTable = {
             .hint = "Where the sheet stands, a share of the rail", .enabled = kHasSheet, .run = sheetRow},
     Command{.id = "layer-move", .label = "Move layer by numbers", .icon = "move", .group = "part", .argument = kTo,
             .hint = "Another place for the layer on the sheet", .enabled = kOnLayer, .run = moveRow},
-    Command{.id = "layer-rail", .label = "Line of the layers", .icon = "spline", .group = "part", .argument = kRail,
-            .hint = "Layers stand up, side by side, round a ring, along a spring or a line of your own",
-            .enabled = kHasLayers, .run = railRow},
     Command{.id = "layer-lean", .label = "Lean the sheet", .icon = "move", .group = "part", .argument = kFront,
             .hint = "How far the sheet leans to the front and to the side, in degrees", .enabled = kOnRail,
             .run = leanRow},
-    Command{.id = "layer-open-lines", .label = "Open lines", .icon = "spline", .group = "part", .argument = kAs,
-            .hint = "Lines that stay open become walls or ground", .enabled = kHasOpenLines, .run = openLinesRow},
-    Command{.id = "layer-repeat", .label = "Repeat layers", .icon = "copy", .group = "part", .argument = kTimes,
-            .hint = "All layers once more, and once more", .enabled = kCanRepeat, .run = repeatRow},
-    Command{.id = "layer-blend", .label = "From layer to layer", .icon = "spline", .group = "part", .argument = kBlend,
-            .hint = "Layers become each other smoothly, straight or in steps", .enabled = kHasLayers, .run = blendRow},
-    Command{.id = "layer-bumps", .label = "Lumps", .icon = "waypoints", .group = "part", .argument = kAmount,
-            .hint = "An uneven surface, as of rock or bark", .enabled = kHasLayers, .run = bumpsRow},
-    Command{.id = "layer-wall", .label = "Width of walls", .icon = "ruler", .group = "part", .argument = kWidth,
-            .hint = "How wide open lines are", .enabled = kHasWalls, .run = wallRow},
+    Command{.id = "layer-free", .label = "Off the line", .icon = "move-3d", .group = "part",
+            .hint = "The layer on the sheet leaves the line of the layers and stands anywhere", .enabled = kCanBeFree,
+            .toggled = isFree, .run = freeRow},
     Command{.id = "layer-link", .label = "Link by numbers", .icon = "waypoints", .group = "part", .argument = kLink,
             .hint = "Curves of two layers become each other, or no longer", .enabled = kOnLayer, .run = linkRow},
     Command{.id = "layer-fork", .label = "Fork by numbers", .icon = "waypoints", .group = "part", .argument = kAt,
@@ -486,7 +391,11 @@ Outcome drawOnSheet(Env env, PartId part, double at, const std::vector<SectionPo
   if (!sheet) return noSheet();
   auto curves = curvesOf(*sheet, line);
   if (!curves) return refuse(curves.failure());
-  return drawLayer(env, {part, at, std::move(curves).value()});
+  const auto isWall = [](const stack::Curve& curve) { return curve.as == stack::CurveUse::Ribbon; };
+  const bool walls = std::ranges::any_of(curves.value(), isWall);
+  Outcome drawn = drawLayer(env, {part, at, std::move(curves).value()});
+  if (drawn && walls) sendStatus(env.host, "The line stayed open: it is a wall. For a solid end it where it begins.");
+  return drawn;
 }
 
 Outcome remakeLayers(Env env, PartId id, const document::StackRecipe& recipe) {

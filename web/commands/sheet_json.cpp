@@ -37,6 +37,7 @@ void writeSheet(JsonWriter& json, const CommandEnv& env) {
   const auto onCanvas = [&](ModelPoint p) { return pointOnCanvas(env.ui.camera, env.ui.layout.solid, toWorld(p)); };
   json.beginObject().key("at").number(sheet->at).key("half").number(sheet->half).key("layer");
   sheet->layer ? json.number(static_cast<double>(*sheet->layer)) : json.null();
+  json.key("free").flag(sheet->isFree());
   json.key("layers").beginArray();
   for (const stack::Plane& plane : sheet->recipe.planes) {
     json.beginObject().key("at").number(plane.at).key("curves");

@@ -40,9 +40,7 @@ stack::Rail railOn(image::Size picture) {
 
 bool isStraight(const stack::Rail& rail) { return rail.points.size() == 2 && !rail.closed; }
 
-bool isOn(const Sheet& sheet, const stack::Plane& plane) {
-  return !plane.origin && std::abs(plane.at - sheet.at) <= kSame;
-}
+bool isOn(const Sheet& sheet, const stack::Plane& plane) { return std::abs(plane.at - sheet.at) <= kSame; }
 
 double reachOf(const stack::Plane& plane) {
   double reach = 0;
@@ -75,9 +73,14 @@ bool stand(Sheet& sheet) {
   plane.at = std::min(sheet.at, 1.0);
   plane.turn = sheet.turn;
   if (sheet.layer) plane = sheet.recipe.planes[*sheet.layer];
-  const Result<stack::Stand> stood = stack::standOf(plane, sheet.recipe.rail);
-  if (!stood) return false;
-  sheet.stand = stood.value();
+  stack::Plane home;
+  home.at = plane.at;
+  if (!sheet.onRail()) home.origin = ModelPoint{};
+  const auto stands = stack::standsOf({plane, home}, sheet.recipe.rail);
+  if (!stands) return false;
+  sheet.stand = stands.value()[0];
+  sheet.home = stands.value()[1];
+  if (sheet.layer) sheet.turn = turnOf(sheet, plane);
   const std::vector<ModelPoint>& rail = sheet.recipe.rail.points;
   if (sheet.at > 1 && sheet.onRail()) sheet.stand.origin = rail[0] + (rail[1] - rail[0]) * sheet.at;
   return true;
@@ -177,7 +180,7 @@ std::optional<Sheet> placedSheet(const document::Document& document, PartId id, 
 std::optional<Sheet> ofShown(const document::Document& document, const UiState& ui, decltype(placedSheet) make) {
   if (ui.tool != ToolKind::Layers || ui.sections.board) return std::nullopt;
   const document::Part* part = document::findPart(document, ui.selection);
-  const bool ours = part != nullptr && document::stackOf(*part) != nullptr;
+  const bool ours = layersInHand(document, ui) != nullptr;
   if (ours && !part->visible) return std::nullopt;
   const PartId id = ours ? part->id : PartId{};
   const bool placed = ui.layers.part == id && ui.layers.at;
@@ -209,6 +212,11 @@ std::optional<Sheet> sheetFor(const document::Document& document, PartId id, Pic
     }
   }
   return sheet;
+}
+
+const document::StackRecipe* layersInHand(const document::Document& document, const UiState& ui) {
+  const document::Part* part = document::findPart(document, ui.selection);
+  return part != nullptr ? document::stackOf(*part) : nullptr;
 }
 
 std::optional<Sheet> shownPlace(const document::Document& document, const UiState& ui) {
@@ -271,6 +279,18 @@ ModelPoint leanKnobOf(const Sheet& sheet, double Lean::* way) {
   return sheet.stand.at(way == &Lean::front ? SectionPoint{0, out} : SectionPoint{-out, 0});
 }
 
+geometry::Turn turnOf(const Sheet& sheet, const stack::Plane& plane) {
+  if (!plane.origin) return plane.turn;
+  const auto stand = stack::standOf(plane, sheet.recipe.rail);
+  return stand ? stack::turnBetween(sheet.home, stand.value()) : plane.turn;
+}
+
+double mostLean(const Sheet& sheet, double Lean::* way) {
+  constexpr double kAnywhere = 180, kHalfway = 89;  // beyond that it has turned to the side as well
+  if (!sheet.isFree()) return kMostLean;
+  return way == &Lean::side ? kAnywhere : kHalfway;
+}
+
 // The sheet's normal points back along the rail.
 Lean leanOf(const Sheet& sheet) {
   const geometry::Angles angles = geometry::anglesOf(sheet.turn);
@@ -279,17 +299,28 @@ Lean leanOf(const Sheet& sheet) {
 
 geometry::Turn turnFor(const Sheet& sheet, const Lean& lean) {
   const Lean now = leanOf(sheet);  // of a recipe it may be more than a hand leans it
-  const auto radians = [](double degrees, double before) {
-    const double most = std::max(kMostLean, std::abs(before));
-    return std::clamp(degrees, -most, most) * kDegree;
+  const auto radians = [&](double Lean::* way) {
+    const double most = std::max(mostLean(sheet, way), std::abs(now.*way));
+    return std::clamp(lean.*way, -most, most) * kDegree;
   };
   const double roll = geometry::anglesOf(sheet.turn).roll;
-  return geometry::turnOf({-radians(lean.front, now.front), radians(lean.side, now.side), roll});
+  return geometry::turnOf({-radians(&Lean::front), radians(&Lean::side), roll});
 }
 
 StackRecipe withTurn(const Sheet& sheet, const geometry::Turn& turn) {
   StackRecipe recipe = sheet.recipe;
-  if (sheet.layer) recipe.planes[*sheet.layer].turn = turn;
+  if (!sheet.layer) return recipe;
+  stack::Plane& plane = recipe.planes[*sheet.layer];
+  if (!plane.origin) {
+    plane.turn = turn;
+    return recipe;
+  }
+  stack::Plane leant;
+  leant.at = plane.at;
+  leant.turn = turn;
+  if (const auto stand = stack::standOf(leant, recipe.rail)) {
+    plane.turn = stack::turnBetween({{}, {1, 0, 0}, {0, 1, 0}}, stand.value());
+  }
   return recipe;
 }
 

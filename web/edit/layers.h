@@ -22,15 +22,19 @@ struct Sheet {
   double at = 0;                     ///< share of the rail; without a rail the number of a layer
   std::optional<std::size_t> layer;  ///< the one that it lies on
   geometry::Turn turn;               ///< from how it would stand on the rail
-  stack::Stand stand;
-  double half = 0;  ///< of its side, picture pixels
+  stack::Stand stand, home;          ///< and on the rail, not turned
+  double half = 0;                   ///< of its side, picture pixels
 
   bool onRail() const { return !recipe.rail.points.empty(); }
+  /// It lies on a layer that is off the rail.
+  bool isFree() const { return layer && recipe.planes[*layer].origin; }
 };
 /// A sheet at a place of the part, or, without one, of a next part on the picture; without a place at the last layer.
 /// `turn` is for a sheet that lies on no layer. None for a part that is not made of layers, and without a picture.
 std::optional<Sheet> sheetFor(const document::Document& document, PartId part, PictureId picture,
                               std::optional<double> at, const geometry::Turn& turn = {});
+/// The part made of layers that is in hand; null: a sheet is of the next part.
+const document::StackRecipe* layersInHand(const document::Document& document, const UiState& ui);
 /// The one that is seen: none without the tool, for a part that is hidden, and while a board is open.
 std::optional<Sheet> shownSheet(const document::Document& document, const UiState& ui);
 /// The same without where it stands and how large it is, which takes longer than all else: for what is asked for in
@@ -59,13 +63,17 @@ std::vector<ModelPoint> cornersOf(const Sheet& sheet);
 /// The knob beside its edge that takes it along the rail.
 ModelPoint knobOf(const Sheet& sheet);
 
-/// How far a sheet on the rail leans, degrees: how far its edges to the viewer and to the right are ahead.
+/// How far a sheet of a part with a rail leans, degrees: how far its edges to the viewer and to the right are ahead.
 struct Lean {
-  double front = 0, side = 0;  ///< -kMostLean…kMostLean
+  double front = 0, side = 0;
   bool operator==(const Lean&) const = default;
 };
-inline constexpr double kMostLean = 80;
 Lean leanOf(const Sheet& sheet);
+/// How far it may lean, either way: a layer off the rail may look anywhere.
+double mostLean(const Sheet& sheet, double Lean::* way);
+inline constexpr double kMostLean = 80;  ///< on the rail
+/// The turn of a layer of the part, as Sheet has it.
+geometry::Turn turnOf(const Sheet& sheet, const stack::Plane& plane);
 /// The turn of the sheet when it leans so.
 geometry::Turn turnFor(const Sheet& sheet, const Lean& lean);
 /// Both ways to lean, and the knob beside an edge for each: that to the viewer, and the left one.

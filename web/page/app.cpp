@@ -247,9 +247,8 @@ void App::frameNewPart() {
 
 void App::fly() {
   if (!ui_.flight) return;
-  const CameraFlight flight = *ui_.flight;
-  const double t = std::clamp((host_.nowMs() - flight.startMs) / flight.lengthMs, 0.0, 1.0);
-  ui_.camera = blend(flight.from, flight.to, t * t * (3 - 2 * t));
+  const double t = std::clamp((host_.nowMs() - ui_.flight->startMs) / ui_.flight->lengthMs, 0.0, 1.0);
+  ui_.camera = ui_.flight->at(t);
   if (t >= 1) ui_.flight.reset();
 }
 

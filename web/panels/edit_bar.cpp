@@ -9,6 +9,7 @@
 
 #include "web/commands/command_actions.h"
 #include "web/commands/intents.h"
+#include "web/edit/layers.h"
 #include "web/edit/placing.h"
 #include "web/edit/preview.h"
 #include "web/edit/puff_bones.h"
@@ -51,6 +52,8 @@ Ids itemsOf(const PanelEnv& env) {
                                               "edge-round"};
   static constexpr app::CommandId kLayers[] = {"layer-up",   "layer-down", "layer-circle", "layer-square",
                                                "edit-slice", "layer-copy", "layer-face",   "layer-remove"};
+  static constexpr app::CommandId kFirstLayer[] = {"paste-slices", "layer-circle", "layer-square", "edit-slice",
+                                                   "layer-up",     "layer-down",   "layer-face"};
   static constexpr app::CommandId kLines[] = {"seen-pen", "hidden-pen"};
   static constexpr app::CommandId kPull[] = {"pull-out",   "pull-in",   "pull-narrower", "pull-wider",
                                              "pull-sharp", "pull-next", "pull-remove"};
@@ -70,7 +73,7 @@ Ids itemsOf(const PanelEnv& env) {
     case app::ToolKind::Place:
       return kPlace;
     case app::ToolKind::Layers:
-      return kLayers;
+      return ui.sections.copied && !app::layersInHand(env.document(), ui) ? Ids(kFirstLayer) : kLayers;
     case app::ToolKind::Lines:
       return kLines;
     case app::ToolKind::Pull:

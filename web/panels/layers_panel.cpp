@@ -8,6 +8,7 @@
 
 #include "web/commands/intents.h"
 #include "web/edit/drawn_rail.h"
+#include "web/edit/free_layers.h"
 #include "web/edit/layer_joints.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/placing.h"
@@ -88,9 +89,10 @@ class Settings {
         changed.*way = degrees;
         return app::turnFor(*sheet, changed);
       };
-      const Setting what{id, words, -app::kMostLean, app::kMostLean, 1, "{n}°", 0};
+      const double most = app::mostLean(*sheet, way);
+      const Setting what{id, words, -most, most, 1, "{n}°", 0};
       app::Sheet seen = *sheet;
-      if (sheet->layer) seen.turn = shown().planes[*sheet->layer].turn;
+      if (sheet->layer) seen.turn = app::turnOf(*sheet, shown().planes[*sheet->layer]);
       double chosen = 0;
       const SliderTurn moved = slide(what, app::leanOf(seen).*way, chosen);
       if (moved.changed && sheet->layer) preview(app::withTurn(*sheet, turn(chosen)));
@@ -98,6 +100,29 @@ class Settings {
       if (!moved.done || !sheet->layer) continue;
       env_.ui().preview.reset();
       env_.sink.run(app::leanSheet, turn(chosen));
+    }
+  }
+
+  /// Whether the layer on the sheet stands on the line, and where it is off it.
+  void place() {
+    const auto sheet = app::shownSheet(env_.document(), env_.ui());
+    if (!sheet || sheet->part != part_.id || !sheet->onRail() || !sheet->layer) return;
+    commandText(env_, {"layer-free", width_});
+    if (!sheet->isFree() || !(mm_ > 0)) return;
+    const app::Offset now = app::offsetOf(*sheet, shown().planes[*sheet->layer]);
+    struct Way {
+      double app::Offset::* of;
+      const char *id, *words;
+    };
+    for (const auto& [way, id, words] : {Way{&app::Offset::side, "##off-side", "Layer to the side"},
+                                         {&app::Offset::front, "##off-front", "Layer to the front"},
+                                         {&app::Offset::ahead, "##off-ahead", "Layer along the line"}}) {
+      const double most = std::max(side_, std::abs(app::offsetOf(*sheet, layers_.planes[*sheet->layer]).*way));
+      number({id, words, -most, most, mm_, "{n} mm", 1}, now.*way, [&, way](double value) {
+        app::Offset moved = app::offsetOf(*sheet, layers_.planes[*sheet->layer]);
+        moved.*way = value;
+        return app::withOffset(*sheet, moved);
+      });
     }
   }
 
@@ -210,10 +235,13 @@ void layersPanel(const PanelEnv& env, const document::Part& part, float width) {
   Settings settings(env, part, width);
   settings.way();
   settings.leaning();
+  settings.place();
   settings.openLines();
   settings.between();
   settings.forks();
   settings.numbers();
+  slicesToCopy(env, width, true);
+  commandText(env, {"fly-along", width});
 }
 
 }  // namespace spineloft::panels

@@ -297,6 +297,7 @@ void alongPanel(const PanelEnv& env, float width) {
   }
   if (asked) bend(env, *part, info, *asked);
   shapes(env, info, !document::alongOf(document::loftIn(*part).loft, info.kind).empty(), width);
+  commandText(env, {"fly-along", width});
 }
 
 }  // namespace spineloft::panels

@@ -92,6 +92,15 @@ void blends(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, fl
 
 }  // namespace
 
+void slicesToCopy(const PanelEnv& env, float width, bool canCopy) {
+  constexpr float kApart = 6;
+  const bool canPaste = env.ui().sections.copied.has_value();
+  const float each = canCopy && canPaste ? std::floor((width - kApart) / 2) : width;
+  if (canCopy) commandText(env, {"copy-slices", each});
+  if (canCopy && canPaste) ImGui::SameLine(0, kApart);
+  if (canPaste) commandText(env, {"paste-slices", each});
+}
+
 void sectionKeyBar(const PanelEnv& env, float width) {
   const document::Part& part = *env.selected();
   const app::Preview* preview = app::previewOf(env.ui(), part.id);
@@ -102,11 +111,14 @@ void sectionKeyBar(const PanelEnv& env, float width) {
   label(env.fonts.small, kMuted, keys.size() > 1 ? "Slices along the bone" : "One slice all along the bone");
   if (keys.size() > 1) bar(env, keys, picked, width);
   commandText(env, {"add-slice"});
+  if (keys.size() > 1) {
+    ImGui::SameLine(0, 4);
+    commandButton(env, "remove-slice", side);
+    ImGui::SameLine(0, 0);
+    commandButton(env, "next-slice", side);
+  }
+  slicesToCopy(env, width, keys.size() > 1);
   if (keys.size() < 2) return;
-  ImGui::SameLine(0, 4);
-  commandButton(env, "remove-slice", side);
-  ImGui::SameLine(0, 0);
-  commandButton(env, "next-slice", side);
   if (picked + 1 >= keys.size()) return;
   label(env.fonts.small, kMuted, "Change to the next one");
   blends(env, keys, picked, width);

@@ -229,7 +229,7 @@ void layerSlider(const PanelEnv& env, const app::Sheet& sheet, float width) {
 void drawSheet(const PanelEnv& env) {
   const app::UiState& ui = env.ui();
   const auto sheet = app::sheetInHand(env.document(), ui);
-  if (!sheet) return;
+  if (!sheet || ui.fliesAlong()) return;
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document(), env.derived, ui, *sheet);
   const app::Rect& view = ui.layout.solid;
   SheetPainter paint(env, toWorld);
@@ -261,7 +261,8 @@ void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   const auto sheet = app::shownSheet(env.document(), env.ui());
   if (!sheet || !sheet->onRail()) return;
   constexpr double kMargin = 8, kHeight = 44, kGap = 6;
-  const double width = std::min(sheet->layer ? 420.0 : 230.0, env.ui().layout.solid.width - 2 * kMargin);
+  const bool moves = sheet->layer && !sheet->isFree();  // along the rail
+  const double width = std::min(moves ? 420.0 : 230.0, env.ui().layout.solid.width - 2 * kMargin);
   if (!env.ui().layers.at && env.ui().solidRoom.width > 0) env.sink.run(app::seeSheet);  // the first time
   const double left = std::max(env.ui().layout.solid.x + kMargin, bar.right() - width);
   const app::Rect card{left, atFoot ? bar.y - kGap - kHeight : bar.bottom() + kGap, width, kHeight};
@@ -271,8 +272,8 @@ void sheetCard(const PanelEnv& env, const app::Rect& bar, bool atFoot) {
   ImGui::PushFont(env.fonts.small);
   beginFixed("sheet", card);
   const float inside = static_cast<float>(width) - 16;
-  sheetSlider(env, *sheet, sheet->layer ? (inside - 6) / 2 : inside);
-  if (sheet->layer) {
+  sheetSlider(env, *sheet, moves ? (inside - 6) / 2 : inside);
+  if (moves) {
     ImGui::SameLine();
     layerSlider(env, *sheet, (inside - 6) / 2);
   }

@@ -93,10 +93,9 @@ void printing(const PanelEnv& env, float width) {
   const bool fresh = report && report->of == env.document();
   bool& seen = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("seen"));
   const bool news = !std::exchange(seen, fresh) && fresh;
-  if (!fresh) {
-    commandText(env, {"check-print", width});
-    return;
-  }
+  // It stays where it was pressed: nothing else comes under the pointer.
+  commandText(env, {"check-print", width});
+  if (!fresh) return;
   for (const app::PrintLine& line : app::printLines(*report)) reportLine(env, line, width);
   // What mends it stands below, where a panel often ends.
   if (news) ImGui::SetScrollHereY(1);

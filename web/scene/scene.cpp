@@ -54,7 +54,9 @@ struct Cut {
 std::optional<Cut> cutOf(const document::Document& document, const pipeline::Derived& derived, const UiState& ui) {
   const std::optional<Sheet> sheet = sheetInHand(document, ui);
   // While a hand moves the sheet the solid stays as it is drawn: to draw it anew takes a processor without a GPU long.
-  if (!sheet || ui.layers.held != SheetHold::Nothing || drawsRail(document, ui)) return std::nullopt;
+  if (!sheet || ui.layers.held != SheetHold::Nothing || drawsRail(document, ui) || ui.fliesAlong()) {
+    return std::nullopt;
+  }
   constexpr double kLeast = 0.02;  // of the sheet's half side
   const pipeline::ToWorld toWorld = sheetInWorld(document, derived, ui, *sheet);
   const WorldPoint at = toWorld(sheet->stand.origin);

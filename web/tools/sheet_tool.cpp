@@ -6,6 +6,7 @@
 
 #include "web/commands/intents.h"
 #include "web/edit/drawn_rail.h"
+#include "web/edit/free_layers.h"
 #include "web/edit/layer_settings.h"
 #include "web/edit/preview.h"
 
@@ -19,9 +20,16 @@ std::optional<app::ClientPoint> onCanvas(const ToolEnv& env, const pipeline::ToW
   return app::pointOnCanvas(env.ui.camera, env.ui.layout.solid, toWorld(p));
 }
 
-/// The way on the canvas that the rail's length takes where the sheet is.
+/// The way on the canvas that the rail's length takes where the sheet is, or a free layer square to itself.
 app::ClientPoint railOnCanvas(const ToolEnv& env, const app::Sheet& sheet, const pipeline::ToWorld& toWorld) {
   constexpr double kStep = 0.02;  // of the rail
+  if (sheet.isFree()) {
+    const double length = stack::lengthOf(sheet.recipe.rail);
+    const auto a = onCanvas(env, toWorld, app::knobOf(sheet));
+    const auto b = onCanvas(env, toWorld, app::knobOf(sheet) - sheet.stand.normal() * (kStep * length));
+    const app::ClientPoint unit = a && b ? (*b - *a) / kStep : app::ClientPoint{};
+    return norm(unit) < kLeastUnit ? app::ClientPoint{0, -kLeastUnit} : unit;
+  }
   stack::Plane here;
   here.at = std::min(sheet.at, 1 - kStep);
   stack::Plane ahead = here;
@@ -54,7 +62,7 @@ app::ClientPoint wayOnCanvas(const ToolEnv& env, const app::LayerFork& fork, con
 
 SheetGrip gripAt(const ToolEnv& env, const ToolEvent& event) {
   const auto sheet = app::shownSheet(env.document, env.ui);
-  if (!sheet) return {};
+  if (!sheet || env.ui.fliesAlong()) return {};
   if (app::drawsRail(env.document, env.ui)) return {SheetHold::Rail};
   const pipeline::ToWorld toWorld = app::sheetInWorld(env.document, env.derived, env.ui, *sheet);
   const auto knob = onCanvas(env, toWorld, app::knobOf(*sheet));
@@ -166,6 +174,10 @@ void SheetTool::raise(const ToolEnv& env, const ToolEvent& event) {
 
 void SheetTool::lift(const ToolEnv& env, const ToolEvent& event) {
   const double by = dot(event.at - watch_.start(), unit_) / dot(unit_, unit_);
+  if (sheet_.isFree()) {
+    shifted_ = app::withShift(sheet_, by * stack::lengthOf(sheet_.recipe.rail));
+    return show(env, *shifted_);
+  }
   env.ui.layers.at = std::clamp(before_ + by, 0.0, app::mostAt(sheet_));
 }
 
@@ -200,6 +212,8 @@ void SheetTool::commit(const ToolEnv& env) {
   env.ui.preview.reset();
   if (line.size() > 1) {
     env.sink.run(app::drawOnSheet, sheet_.part, sheet_.at, line);
+  } else if (grip_.hold == SheetHold::Knob && shifted_) {
+    env.sink.run(app::remakeLayers, sheet_.part, *shifted_);
   } else if (grip_.hold == SheetHold::Knob) {
     env.sink.run(app::seeSheet);
   } else if (grip_.hold == SheetHold::Lean && watch_.moved()) {

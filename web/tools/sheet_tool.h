@@ -38,15 +38,16 @@ class SheetTool final : public Tool {
 
   DragWatch watch_;
   SheetGrip grip_;
-  app::Sheet sheet_;                         ///< as the press found it
-  app::LayerJoints joints_;                  ///< the same
-  pipeline::ToWorld toWorld_;                ///< the same
-  app::ClientPoint last_;                    ///< of the line
-  app::ClientPoint unit_;                    ///< a whole rail on the canvas, or the way of a fork, CSS pixels
-  double before_ = 0;                        ///< where the sheet was
-  double raised_ = 0;                        ///< where the fork is
-  geometry::Turn turn_;                      ///< of the leaning sheet
-  std::optional<Result<stack::Rail>> rail_;  ///< along the line so far
+  app::Sheet sheet_;                              ///< as the press found it
+  app::LayerJoints joints_;                       ///< the same
+  pipeline::ToWorld toWorld_;                     ///< the same
+  app::ClientPoint last_;                         ///< of the line
+  app::ClientPoint unit_;                         ///< a whole rail on the canvas, or the way of a fork, CSS pixels
+  double before_ = 0;                             ///< where the sheet was
+  std::optional<document::StackRecipe> shifted_;  ///< with the free layer where the hand has it
+  double raised_ = 0;                             ///< where the fork is
+  geometry::Turn turn_;                           ///< of the leaning sheet
+  std::optional<Result<stack::Rail>> rail_;       ///< along the line so far
 };
 
 }  // namespace spineloft::tools

@@ -24,8 +24,9 @@ void pointOpening(const ToolEnv& env, const app::Ray& ray) {
 
 }  // namespace
 
-void TurnSolid::begin(const ToolEnv&, const ToolEvent& event) {
+void TurnSolid::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
+  if (env.ui.fliesAlong()) env.ui.flight.reset();
   adds_ = (event.modifiers & platform::kShift) != 0;
 }
 

@@ -118,6 +118,8 @@ inline constexpr std::array kIcons = {
     Icon{"file-plus", 57545},
     Icon{"layout-grid", 57599},
     Icon{"folder-open", 57927},
+    Icon{"clipboard-paste", 58344},
+    Icon{"route", 58686},
     Icon{"copy", 57502},
     Icon{"share-2", 57686},
     Icon{"scaling", 58092},

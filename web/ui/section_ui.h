@@ -11,6 +11,7 @@
 #include "engine/base/ids.h"
 #include "engine/document/action.h"
 #include "engine/geometry/turn.h"
+#include "engine/pipeline/slices.h"
 #include "engine/sections/drawing.h"
 #include "web/ui/space.h"
 
@@ -101,6 +102,8 @@ struct SectionUi {
   std::optional<geometry::AlongCurve> graph;  ///< as it is while a point is dragged
   std::size_t graphPoint = 0;
   std::vector<GraphArea> graphs;  ///< where they are, as of the last frame
+
+  std::optional<pipeline::Slices> copied;  ///< of a part, for another one
 
   ClientPoint lastTap;  ///< on the board or a graph, to tell double taps
   double lastTapMs = -1e9;

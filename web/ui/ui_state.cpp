@@ -19,6 +19,14 @@ std::string_view controlKey(Control::Kind kind) {
   return kKeys[static_cast<std::size_t>(kind)];
 }
 
+Camera CameraFlight::at(double share) const {
+  const double eased = share * share * (3 - 2 * share);
+  const double place = eased * static_cast<double>(by.size() + 1);
+  const std::size_t leg = std::min(static_cast<std::size_t>(place), by.size());
+  const Camera& start = leg == 0 ? from : by[leg - 1];
+  return blend(start, leg == by.size() ? to : by[leg], place - static_cast<double>(leg));
+}
+
 void closeMenus(UiState& ui) {
   ui.barMenu = BarMenu::None;
   ui.pictureMenu = {};

@@ -268,10 +268,13 @@ struct ShownRow {
   Rect at;  ///< of its name
 };
 
-/// A camera on its way.
+/// A camera on its way, by some others at even times.
 struct CameraFlight {
   Camera from, to;
   double startMs = 0, lengthMs = 300;
+  std::vector<Camera> by = {};
+  /// At a share of the time, 0…1: it begins and ends gently.
+  Camera at(double share) const;
 };
 
 /// How a picture was looked at when another came into view.
@@ -355,6 +358,7 @@ struct UiState {
   Rect solidRoom;      ///< of the solid view, what no bar covers, as of the last frame; empty: not known yet
   Camera camera;
   std::optional<CameraFlight> flight;
+  bool fliesAlong() const { return flight && !flight->by.empty(); }  ///< a part, for somebody who looks
   bool cameraTouched = false;  ///< the visitor turned it: no flights of our own any more
 
   /// What the next part is made with.

@@ -141,7 +141,7 @@ TEST_CASE("numbers come back exactly, the smallest and the largest, and −0 is 
 TEST_CASE("what is as usual is not written") {
   const Document document = twoParts();
   Part named;
-  named.name = "x";
+  named.name = std::string("x");
   CHECK(toJson(named) == Json{{"name", "x"}});
   CHECK(toJson(document.parts[0].get()).dump().size() < 160);
 }
