@@ -148,16 +148,21 @@ class Splitter {
     return splitAtMiddles();
   }
 
-  /// The edges of all triangles that meet at more than the angle of this cosine when the vertices are where `bent` has
-  /// them, once; edges between fixed vertices stay whole. False: there are none.
+  /// The edges of all triangles that meet at more than the angle of this cosine near a crease when the vertices are
+  /// where `bent` has them, once; edges between fixed vertices stay whole. False: there are none.
   bool splitBent(const TriMesh& bent, double sharp) {
     middles_.clear();
     const std::vector<double> bends = bendsOf(bent, findTwins(bent));
     const auto isFixed = [&](std::uint32_t h) {
       return regions_[cornerVertex(bent, h)] == kFixed && regions_[cornerVertex(bent, nextHalfEdge(h))] == kFixed;
     };
+    std::vector<bool> near(bent.positions.size(), false);
+    for (const Crease& crease : creases_) {
+      const std::vector<double> ways = waysFrom(bent, crease.vertices, crease.reach);
+      for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] || std::isfinite(ways[v]);
+    }
     for (std::uint32_t h = 0; h < bends.size(); ++h) {
-      if (bends[h] >= sharp || isFixed(h)) continue;
+      if (bends[h] >= sharp || isFixed(h) || !near[cornerVertex(bent, h)]) continue;
       for (std::uint32_t i = h - h % 3; i < h - h % 3 + 3; ++i) {
         if (!isFixed(i)) addMiddle(cornerVertex(bent, i), cornerVertex(bent, nextHalfEdge(i)));
       }

@@ -19,9 +19,10 @@ struct Crease {
 };
 
 /// Rounds a closed mesh. Edges near a crease that are longer than 0.35 of its reach are split first, and once more
-/// those of triangles that would still meet at more than 30°, so that new vertices and triangles may come behind those
-/// that there are, with texture coordinates from between. `regions`, one a vertex, grows with the mesh: kFixed, or any
-/// number. New vertices are in the region of both their neighbours, or of the one that is neither fixed nor 0.
+/// those of triangles near a crease that would still meet at more than 30°, so that new vertices and triangles may come
+/// behind those that there are, with texture coordinates from between. `regions`, one a vertex, grows with the mesh:
+/// kFixed, or any number. New vertices are in the region of both their neighbours, or of the one that is neither fixed
+/// nor 0.
 ///
 /// A crease takes in the sharp edges (15°) of its region. For one after the other, what is within reach and not fixed
 /// minimises Σ |(L x)ᵢ|²/Mᵢ + Σ μⱼ |xⱼ − x⁰ⱼ|², L the cotangent Laplacian of the mesh as it was, M a third of the

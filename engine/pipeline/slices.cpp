@@ -76,6 +76,23 @@ Form formAt(const loft::LoftParams& loft, double share) {
           geometry::valueAt(loft.twist, share, 0)};
 }
 
+/// Where the sections along the bone stand, and places between two of them that tell of their blend.
+std::vector<double> changesOf(const loft::LoftParams& loft) {
+  std::vector<double> out;
+  for (std::size_t i = 0; loft.sections.size() > 1 && i < loft.sections.size(); ++i) {
+    const loft::SectionKey& key = loft.sections[i];
+    out.push_back(key.at);
+    if (i + 1 == loft.sections.size() || key.blend.kind == sections::BlendKind::Linear) continue;
+    const double way = loft.sections[i + 1].at - key.at;
+    if (key.blend.kind == sections::BlendKind::Hold) {
+      out.push_back(key.at + way * sections::kHeld);
+      continue;
+    }
+    for (const double t : {0.25, 0.5, 0.75}) out.push_back(key.at + way * t);
+  }
+  return out;
+}
+
 /// Between which the form is nearly straight, and those of the sections.
 std::vector<double> placesAlong(const loft::LoftParams& loft, const std::vector<Breadth>& all, double length) {
   const double widest = std::ranges::max_element(all, {}, &Breadth::half)->half;
@@ -93,10 +110,7 @@ std::vector<double> placesAlong(const loft::LoftParams& loft, const std::vector<
         out.push_back(all[i].at);
       }
     }
-    if (loft.sections.size() > 1) {
-      for (const loft::SectionKey& key : loft.sections)
-        out.push_back(std::clamp(key.at, all.front().at, all.back().at));
-    }
+    for (const double share : changesOf(loft)) out.push_back(std::clamp(share, all.front().at, all.back().at));
     std::ranges::sort(out);
     const auto [rest, end] = std::ranges::unique(out, [](double a, double b) { return b - a < geometry::kLeastStep; });
     out.erase(rest, end);
@@ -104,8 +118,26 @@ std::vector<double> placesAlong(const loft::LoftParams& loft, const std::vector<
   };
   double tolerance = kSliceTolerance * widest;
   std::vector<double> out = places(tolerance);
-  while (out.size() > std::max(kMostCopied, loft.sections.size() + 2)) out = places(tolerance *= 1.5);
+  const std::size_t most = std::max(kMostCopied, changesOf(loft).size() + 2);
+  while (out.size() > most) out = places(tolerance *= 1.5);
   return out;
+}
+
+/// From x = -1 to x = 1, as lofts take what is drawn in any units.
+void fitWidth(sections::Drawing& drawing) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const sections::DrawnCurve& curve : drawing) {
+    for (const SectionPoint p : sections::outlineOf(curve)) {
+      low = std::min(low, p.x);
+      high = std::max(high, p.x);
+    }
+  }
+  if (!(high > low)) return;
+  for (sections::DrawnCurve& curve : drawing) {
+    for (sections::DrawnPoint& point : curve.points) {
+      point.at = {2 * (point.at.x - low) / (high - low) - 1, 2 * point.at.y / (high - low)};
+    }
+  }
 }
 
 stack::Curve curveOf(const sections::DrawnCurve& drawn, const Breadth& size, const Form& form) {
@@ -124,11 +156,12 @@ stack::Curve curveOf(const sections::DrawnCurve& drawn, const Breadth& size, con
 }
 
 /// The bone where it stands, through as few points as that takes.
-stack::Rail railAlong(const std::vector<ModelPoint>& centreLine, bool closed) {
-  constexpr double kClose = 0.002;  // of the length
+stack::Rail railAlong(const std::vector<ModelPoint>& centreLine, bool closed, const std::vector<Breadth>& all) {
+  constexpr double kOfLength = 0.002, kOfWidth = 0.02;
   const std::span<const ModelPoint> line(centreLine);
   const double length = geometry::arcLengths(line).back();
-  stack::Rail rail{geometry::simplifiedLine(line, kClose * length), closed};
+  const double widest = std::ranges::max_element(all, {}, &Breadth::half)->half;
+  stack::Rail rail{geometry::simplifiedLine(line, std::min(kOfLength * length, kOfWidth * widest)), closed};
   if (closed && rail.points.size() > 3) rail.points.pop_back();  // the first one again
   return rail;
 }
@@ -138,6 +171,9 @@ Status standOnRail(const document::StackRecipe& recipe, Slices& out) {
   const auto isOff = [](const stack::Plane& plane) { return plane.origin.has_value(); };
   stack::Rail rail = recipe.rail;
   if (rail.points.empty() || std::ranges::any_of(recipe.planes, isOff)) {
+    if (!recipe.stack.patterns.empty()) {
+      return {Error::StackInvalid, "its layers are repeated along their line: set Times to 1 first"};
+    }
     auto on = stack::ontoCentres(recipe.planes, recipe.rail);
     if (!on) return on.failure();
     out.onRail = std::move(on.value().planes);
@@ -158,7 +194,14 @@ Result<Slices> slicesOf(const document::LoftRecipe& recipe, const PartShape& sha
   if (all.size() < 2) return Error::TooFewRibs;
   Slices out;
   out.onBone = loft.sections;
-  out.rail = railAlong(shape.centreLine, recipe.pose.closed);
+  out.rail = railAlong(shape.centreLine, recipe.pose.closed, all);
+  // The centre line has its points at even shares of the bone as it was drawn, which are none of its length in space.
+  const std::vector<double> lengths = geometry::arcLengths(std::span<const ModelPoint>(shape.centreLine));
+  const auto onRail = [&](double share) {
+    const double place = share * static_cast<double>(lengths.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(place), lengths.size() - 2);
+    return std::clamp(std::lerp(lengths[i], lengths[i + 1], place - static_cast<double>(i)) / lengths.back(), 0.0, 1.0);
+  };
   for (const double share : placesAlong(loft, all, stack::lengthOf(out.rail))) {
     if (out.rail.closed && share > 1 - geometry::kLeastStep) continue;  // it is where the first one is
     const auto key = std::ranges::find_if(loft.sections,
@@ -168,13 +211,15 @@ Result<Slices> slicesOf(const document::LoftRecipe& recipe, const PartShape& sha
         isDrawn ? Result(key != loft.sections.end() ? key->shape : loft.sections.front().shape)
                 : loft::sectionAt(loft.sections, share);
     if (!there) return there.failure();
-    const Result<sections::Drawing> drawing = sections::drawingOf(there.value());
+    Result<sections::Drawing> drawing = sections::drawingOf(there.value());
     if (!drawing) return drawing.failure();
+    fitWidth(drawing.value());
     Breadth size = at(all, share);
     size.half *= shape.scale;
     size.offset *= shape.scale;
     stack::Plane plane;
-    plane.at = share;
+    plane.at = onRail(share);
+    plane.blend.kind = sections::BlendKind::Linear;
     for (const sections::DrawnCurve& drawn : drawing.value()) {
       plane.curves.push_back(curveOf(drawn, size, formAt(loft, share)));
     }
@@ -189,15 +234,13 @@ Result<Slices> slicesOf(const document::StackRecipe& recipe) {
   const std::size_t count = out.onRail.size(), most = std::min(count, loft::kMostSectionKeys);
   for (std::size_t i = 0; i < most; ++i) {
     const stack::Plane& plane = out.onRail[most > 1 ? i * (count - 1) / (most - 1) : 0];
-    if (plane.curves.empty()) continue;
+    if (!out.onBone.empty() && plane.at - out.onBone.back().at < geometry::kLeastStep) continue;
     std::vector<std::vector<SectionPoint>> outlines;
     for (const stack::Curve& curve : plane.curves) outlines.push_back(stack::outlineOf(curve));
     Result<sections::SectionShape> shape = sections::sectionOfOutlines(std::move(outlines));
-    if (!shape) return shape.failure();
-    const bool isFirst = out.onBone.empty();
-    if (!isFirst && plane.at - out.onBone.back().at < geometry::kLeastStep) continue;
-    out.onBone.push_back({plane.at, std::move(shape).value(), plane.blend});
+    if (shape) out.onBone.push_back({plane.at, std::move(shape).value(), plane.blend});
   }
+  if (!loft::checkSectionKeys(out.onBone)) out.onBone.clear();
   return out;
 }
 

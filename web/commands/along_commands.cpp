@@ -8,7 +8,6 @@
 #include "web/edit/copied_slices.h"
 #include "web/edit/fly_along.h"
 #include "web/model/messages.h"
-#include "web/words/words.h"
 
 namespace spineloft::app {
 namespace {
@@ -29,9 +28,12 @@ bool canPaste(Env env) {
 bool canFly(Env env) { return chosen(env) && hasWay(*chosen(env)); }
 bool isFlying(Env env) { return env.ui.fliesAlong(); }
 
+Outcome noWay() { return Refusal{"NotNow", "This part has no bone and no line of layers."}; }
+
 Outcome copySlices(Env env, const Json& args) {
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
+  if (!hasSlices(*part)) return noWay();
   auto slices = slicesOf(env.studio.document(), env.studio.derived(), part->id);
   if (!slices) return refuse(slices.failure());
   env.ui.sections.copied = std::move(slices).value();
@@ -40,6 +42,7 @@ Outcome copySlices(Env env, const Json& args) {
 }
 
 Outcome pasteSlices(Env env, const Json& args) {
+  if (!env.ui.sections.copied) return Refusal{"NotNow", "Nothing is copied yet: copy the slices of a part first."};
   const pipeline::Slices& slices = *env.ui.sections.copied;
   const document::Part* part = partOf(env, args);
   const auto* layers = part ? document::stackOf(*part) : nullptr;
@@ -54,6 +57,10 @@ Outcome pasteSlices(Env env, const Json& args) {
     return keepLayers(env, {}, made, made.planes.back().at);
   }
   if (part == nullptr) return noPart();
+  if (document::loftOf(*part) == nullptr) return noWay();
+  if (slices.onBone.empty()) {
+    return refuse({Error::SectionInvalid, "along a bone all slices need the same number of pieces and holes"});
+  }
   return outcomeOf(env.studio.act(document::SetSections{part->id, slices.onBone}));
 }
 
@@ -65,25 +72,27 @@ Outcome flyAlong(Env env, const Json& args) {
   }
   const document::Part* part = partOf(env, args);
   if (part == nullptr) return noPart();
-  if (!hasWay(*part)) return refuse({Error::NotAStack, {}});
+  if (!hasWay(*part)) return noWay();
+  if (!part->visible) return refuse({Error::StackInvalid, "it is hidden: show it first"});
   if (env.host.reducedMotion()) {
     return Refusal{"NotNow", "This device asks for less motion, so the view stays where it is."};
   }
   auto by = camerasAlong(env.studio.document(), env.studio.derived(), env.ui, part->id);
-  if (by.empty()) return refuse({Error::NotAStack, {}});
+  if (by.empty()) return noWay();
   env.ui.focus = Focus::Solid;
   env.ui.flight = CameraFlight{env.ui.camera, env.ui.camera, env.host.nowMs(), kFlightMs, std::move(by)};
   return {};
 }
 
-constexpr Condition kCanCopy{canCopy, Condition::Part}, kCanFly{canFly, Condition::Part};
+constexpr Condition kCanCopy{canCopy, Condition::Part}, kCanFly{canFly, Condition::Part},
+    kCanPaste{canPaste, Condition::Part};
 
 // clang-format off
 constexpr std::array kTable = {
     Command{.id = "copy-slices", .label = "Copy slices", .icon = "copy", .group = "slice",
-            .hint = "Takes the slices of this part along, for another one", .enabled = kCanCopy, .run = copySlices},
+            .hint = "Copies the slices of this part, to paste them on another one", .enabled = kCanCopy, .run = copySlices},
     Command{.id = "paste-slices", .label = "Paste slices", .icon = "clipboard-paste", .group = "slice",
-            .hint = "Puts the copied slices on this part, or begins new layers with them", .enabled = canPaste,
+            .hint = "Puts the copied slices on this part, or begins new layers with them", .enabled = kCanPaste,
             .run = pasteSlices},
     Command{.id = "fly-along", .label = "Fly along", .icon = "route", .group = "view",
             .hint = "The view travels along the bone, or along the line of the layers", .enabled = kCanFly,

@@ -50,7 +50,11 @@ bool isFree(Env env) {
   const auto sheet = placeOf(env);
   return sheet && sheet->isFree();
 }
-bool canBeFree(Env env) { return onLayer(env) && onRail(env); }
+bool canBeFree(Env env) {
+  const auto sheet = placeOf(env);
+  if (!sheet || !sheet->layer || !sheet->onRail()) return false;
+  return sheet->isFree() || (!sheet->recipe.rail.closed && sheet->recipe.stack.patterns.empty());
+}
 bool railIsDrawn(Env env) { return drawsRail(env.studio.document(), env.ui); }
 bool layerTool(Env env) { return env.ui.tool == ToolKind::Layers; }
 
@@ -428,7 +432,7 @@ Outcome leanSheet(Env env, const geometry::Turn& turn) {
   if (!sheet) return noSheet();
   placeSheet(env.ui, *sheet, sheet->at);
   const Outcome kept = sheet->layer ? keepLayers(env, sheet->part, withTurn(*sheet, turn), sheet->at) : Outcome{};
-  if (kept) env.ui.layers.turn = turn;
+  if (kept && !sheet->isFree()) env.ui.layers.turn = turn;  // which leans as sheets on the rail do not
   return kept;
 }
 

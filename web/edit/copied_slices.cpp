@@ -37,7 +37,9 @@ Result<document::StackRecipe> withSlices(const document::StackRecipe& recipe, co
   document::StackRecipe made = recipe;
   made.planes = slices.onRail;
   made.stack.patterns = slices.patterns;
-  return withRail(made, recipe.rail);
+  if (recipe.rail.closed) return withRail(made, recipe.rail);
+  made.planes.back().links.clear();  // of a ring: nothing follows it here
+  return made;
 }
 
 document::StackRecipe newWithSlices(const Sheet& sheet, const pipeline::Slices& slices) {

@@ -31,6 +31,9 @@ Result<document::StackRecipe> withFree(const Sheet& sheet, bool free) {
   if (free && sheet.recipe.rail.closed) {
     return {Error::StackInvalid, "its line is closed, and layers stay on it: give it an open line first"};
   }
+  if (free && !sheet.recipe.stack.patterns.empty()) {
+    return {Error::StackInvalid, "its layers are repeated along their line: set Times to 1 first"};
+  }
   document::StackRecipe recipe = sheet.recipe;
   stack::Plane& plane = recipe.planes[*sheet.layer];
   if (free == plane.origin.has_value()) return recipe;
@@ -42,7 +45,7 @@ Result<document::StackRecipe> withFree(const Sheet& sheet, bool free) {
     plane.origin.reset();
     Sheet on = sheet;
     on.recipe = recipe;
-    on.turn = {};
+    on.turn = geometry::turnOf({0, 0, geometry::anglesOf(sheet.turn).roll});
     plane.turn = turnFor(on, lean);
   }
   return recipe;

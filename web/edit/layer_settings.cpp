@@ -67,6 +67,11 @@ std::optional<RailShape> railShapeOf(const stack::Rail& rail) {
 StackRecipe withRail(const StackRecipe& recipe, const stack::Rail& rail) {
   StackRecipe out = recipe;
   out.rail = rail;
+  for (stack::Plane& plane : out.planes) {
+    if (!rail.closed || !plane.origin) continue;
+    plane.origin.reset();  // on a closed rail all layers stand on it
+    plane.turn = {};
+  }
   if (!rail.closed && !out.planes.empty()) out.planes.back().links.clear();  // nothing follows it
   return rail.closed || !out.stack.patterns.empty() ? spread(std::move(out)) : out;
 }
@@ -115,11 +120,14 @@ StackRecipe withDrawnRail(const StackRecipe& recipe, const stack::Rail& rail) {
   SectionPoint sum;
   int count = 0;
   for (const stack::Plane& plane : recipe.planes) {
+    if (plane.origin) continue;
     const auto centre = stack::centreOf(plane);
     sum = sum + centre.value_or(SectionPoint{});
     count += centre.has_value();
   }
-  for (stack::Plane& plane : out.planes) stack::moveCurves(plane, sum * (-1.0 / std::max(count, 1)));
+  for (stack::Plane& plane : out.planes) {
+    if (!plane.origin) stack::moveCurves(plane, sum * (-1.0 / std::max(count, 1)));
+  }
   return withRail(out, rail);
 }
 

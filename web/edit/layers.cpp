@@ -40,7 +40,18 @@ stack::Rail railOn(image::Size picture) {
 
 bool isStraight(const stack::Rail& rail) { return rail.points.size() == 2 && !rail.closed; }
 
-bool isOn(const Sheet& sheet, const stack::Plane& plane) { return std::abs(plane.at - sheet.at) <= kSame; }
+/// The nearest layer that the sheet lies on, rather one that stands on the rail.
+std::optional<std::size_t> layerAt(const Sheet& sheet) {
+  const std::vector<stack::Plane>& planes = sheet.recipe.planes;
+  const auto away = [&](std::size_t i) {
+    return std::pair(planes[i].origin.has_value(), std::abs(planes[i].at - sheet.at));
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (away(i).second <= kSame && (!best || away(i) < away(*best))) best = i;
+  }
+  return best;
+}
 
 double reachOf(const stack::Plane& plane) {
   double reach = 0;
@@ -55,9 +66,7 @@ bool place(Sheet& sheet) {
   const std::vector<stack::Plane>& planes = sheet.recipe.planes;
   sheet.at = std::clamp(sheet.at, 0.0, mostAt(sheet));
   if (sheet.onRail()) {
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      if (isOn(sheet, planes[i])) sheet.layer = i;
-    }
+    sheet.layer = layerAt(sheet);
   } else {
     if (planes.empty()) return false;
     sheet.layer = static_cast<std::size_t>(std::lround(sheet.at));

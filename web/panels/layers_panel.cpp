@@ -240,7 +240,7 @@ void layersPanel(const PanelEnv& env, const document::Part& part, float width) {
   settings.between();
   settings.forks();
   settings.numbers();
-  slicesToCopy(env, width, true);
+  slicesToCopy(env, width);
   commandText(env, {"fly-along", width});
 }
 

@@ -74,7 +74,7 @@ void sectionChooser(const PanelEnv& env, float width);
 void layersPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a part made of layers
 void regionPanel(const PanelEnv& env, const document::Part& part, float width);  ///< of a puff or flat piece
 /// Buttons that take the slices of a part along, and that put copied ones on it.
-void slicesToCopy(const PanelEnv& env, float width, bool canCopy);
+void slicesToCopy(const PanelEnv& env, float width);
 void sectionKeyBar(const PanelEnv& env, float width);  ///< sections along the selected part's spine
 void alongPanel(const PanelEnv& env, float width);     ///< twist, depth, lean, front along the spine
 void capChooser(const PanelEnv& env, float width);

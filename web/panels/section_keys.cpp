@@ -92,13 +92,14 @@ void blends(const PanelEnv& env, const SectionKeys& keys, std::size_t picked, fl
 
 }  // namespace
 
-void slicesToCopy(const PanelEnv& env, float width, bool canCopy) {
+void slicesToCopy(const PanelEnv& env, float width) {
   constexpr float kApart = 6;
   const bool canPaste = env.ui().sections.copied.has_value();
-  const float each = canCopy && canPaste ? std::floor((width - kApart) / 2) : width;
-  if (canCopy) commandText(env, {"copy-slices", each});
-  if (canCopy && canPaste) ImGui::SameLine(0, kApart);
-  if (canPaste) commandText(env, {"paste-slices", each});
+  const float each = canPaste ? std::floor((width - kApart) / 2) : width;
+  commandText(env, {"copy-slices", each});
+  if (!canPaste) return;
+  ImGui::SameLine(0, kApart);
+  commandText(env, {"paste-slices", each});
 }
 
 void sectionKeyBar(const PanelEnv& env, float width) {
@@ -117,7 +118,7 @@ void sectionKeyBar(const PanelEnv& env, float width) {
     ImGui::SameLine(0, 0);
     commandButton(env, "next-slice", side);
   }
-  slicesToCopy(env, width, keys.size() > 1);
+  slicesToCopy(env, width);
   if (keys.size() < 2) return;
   if (picked + 1 >= keys.size()) return;
   label(env.fonts.small, kMuted, "Change to the next one");

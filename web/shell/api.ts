@@ -340,13 +340,12 @@ export interface State {
   tool: string;
   /** The ends of the dashed line of the tool 'spin', picture pixels. */
   axis: PicturePoint[] | null;
-  /**
-   * The sheet of the tool 'layers': its place (a share of the rail; without a rail the number of a layer), half its side in picture pixels, the layer that it lies on, the layers of its part, and where its corners ([-half, -half] first) and its knob are on the canvas, CSS pixels.
-   */
+  /** The sheet of the tool 'layers': its place (a share of the rail; without a rail the number of a layer), half its side in picture pixels, the layer that it lies on and whether that is off the rail, the layers of its part, and where its corners ([-half, -half] first) and its knob are on the canvas, CSS pixels. */
   sheet: {
     at: number;
     half: number;
     layer: number | null;
+    free: boolean;
     layers: { at: number; curves: number }[];
     corners: ([number, number] | null)[];
     knob: [number, number] | null;

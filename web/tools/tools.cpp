@@ -58,6 +58,7 @@ std::unique_ptr<Tool> pictureTool(const ToolEnv& env, app::ToolKind kind) {
 }
 
 std::unique_ptr<Tool> solidTool(const ToolEnv& env, const ToolEvent& event) {
+  if (env.ui.fliesAlong()) return std::make_unique<TurnSolid>(TurnSolid::Mode::Orbit);  // which stops
   const app::Hover under = pickInSolid(env, event);
   if (under.depth >= 0 && env.ui.tool == app::ToolKind::Lines) return std::make_unique<PinTool>();
   if (under.depth >= 0) return std::make_unique<DepthTool>();

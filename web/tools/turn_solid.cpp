@@ -26,7 +26,8 @@ void pointOpening(const ToolEnv& env, const app::Ray& ray) {
 
 void TurnSolid::begin(const ToolEnv& env, const ToolEvent& event) {
   watch_.begin(event);
-  if (env.ui.fliesAlong()) env.ui.flight.reset();
+  stops_ = env.ui.fliesAlong();
+  if (stops_) env.ui.flight.reset();
   adds_ = (event.modifiers & platform::kShift) != 0;
 }
 
@@ -43,7 +44,7 @@ void TurnSolid::move(const ToolEnv& env, const ToolEvent& event) {
 }
 
 void TurnSolid::commit(const ToolEnv& env) {
-  if (watch_.moved()) return;
+  if (watch_.moved() || stops_) return;
   const app::Ray ray{env.ui.camera.eye(), app::rayThrough(env.ui.camera, env.ui.layout.solid, watch_.start())};
   if (env.ui.solids.pointing) {
     pointOpening(env, ray);

@@ -17,7 +17,8 @@ class TurnSolid final : public Tool {
  private:
   Mode mode_;
   DragWatch watch_;
-  bool adds_ = false;  ///< a click takes one more part in hand
+  bool stops_ = false;  ///< a flight along a part: a click does nothing else
+  bool adds_ = false;   ///< a click takes one more part in hand
 };
 
 }  // namespace spineloft::tools

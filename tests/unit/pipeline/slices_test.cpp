@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -112,8 +113,9 @@ TEST_CASE("a straight part becomes few slices, one whose section changes has eac
   CHECK(few.value().onRail.size() == 2);
   Upright part = upright([](double) { return 80.0; });
   using sections::SectionPreset;
+  const sections::Blend straight{sections::BlendKind::Linear, {}};
   part.recipe.loft.sections = {
-      {0, SectionPreset::Square, {}}, {0.4, SectionPreset::Circle, {}}, {1, SectionPreset::Star, {}}};
+      {0, SectionPreset::Square, straight}, {0.4, SectionPreset::Circle, straight}, {1, SectionPreset::Star, {}}};
   const auto slices = pipeline::slicesOf(part.recipe, part.shape);
   REQUIRE(slices.ok());
   REQUIRE(slices.value().onRail.size() == 3);
@@ -121,6 +123,59 @@ TEST_CASE("a straight part becomes few slices, one whose section changes has eac
   CHECK_FALSE(slices.value().onRail[1].curves[0].corners.all);
   CHECK(slices.value().onRail[1].at == doctest::Approx(0.4));
   CHECK(mesh::inspect(stacked(slices.value())).valid());
+}
+
+TEST_CASE("a bottle keeps its shoulder, also beside its middle line: half way between slices nothing bulges") {
+  Upright part = upright([](double t) { return t < 0.6 ? 160.0 : t < 0.65 ? 160 - 120 * (t - 0.6) / 0.05 : 40.0; });
+  for (ribs::Rib& rib : part.shape.ribs.ribs) {
+    rib.left.x += 7;
+    rib.right.x += 7;
+  }
+  const auto slices = pipeline::slicesOf(part.recipe, part.shape);
+  REQUIRE(slices.ok());
+  const mesh::TriMesh rail = stacked(slices.value());
+  CHECK(mesh::inspect(rail).volume == doctest::Approx(mesh::inspect(lofted(part)).volume).epsilon(0.02));
+  const Extents e = extentsOf(rail);
+  CHECK(e.right == doctest::Approx(287).epsilon(0.005));
+  CHECK(e.left == doctest::Approx(127).epsilon(0.005));
+}
+
+TEST_CASE("sections that hold until the next one, or change in their own way, do so on a rail") {
+  Upright part = upright([](double) { return 100.0; });
+  using sections::SectionPreset, sections::BlendKind;
+  for (const BlendKind kind : {BlendKind::Hold, BlendKind::Ease, BlendKind::Square, BlendKind::Linear}) {
+    part.recipe.loft.sections = {{0, SectionPreset::Square, {kind, {}}}, {1, SectionPreset::Circle, {}}};
+    const auto slices = pipeline::slicesOf(part.recipe, part.shape);
+    REQUIRE(slices.ok());
+    CAPTURE(kind);
+    CHECK(mesh::inspect(stacked(slices.value())).volume ==
+          doctest::Approx(mesh::inspect(lofted(part)).volume).epsilon(0.01));
+  }
+}
+
+TEST_CASE(
+    "slices stand where they stood along a bone that comes to the front, and sections of any units fit its ribs") {
+  Upright part = upright([](double) { return 80.0; });
+  for (std::size_t i = 0; i < part.shape.centreLine.size(); ++i) {  // steep in its first quarter, then flat
+    const double t = static_cast<double>(i) / static_cast<double>(part.shape.centreLine.size() - 1);
+    part.shape.centreLine[i].z = t < 0.25 ? 1200 * t : 300;
+  }
+  sections::SectionShape small;
+  small.contours = {{{-0.2, -0.3}, {0.3, -0.3}, {0.3, 0.2}, {-0.2, 0.2}}};
+  const sections::Blend straight{sections::BlendKind::Linear, {}};
+  part.recipe.loft.sections = {{0, small, straight}, {0.25, small, straight}, {1, small, straight}};
+  const auto slices = pipeline::slicesOf(part.recipe, part.shape);
+  REQUIRE(slices.ok());
+  const stack::Plane& bend = slices.value().onRail[1];
+  const auto stand = stack::standOf(bend, slices.value().rail);
+  CHECK(distance(stand.value().origin, ModelPoint{200, -400, 300}) < 5);
+  double left = 1e9, right = -1e9;
+  for (const SectionPoint p : bend.curves.front().through) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+  }
+  CHECK(left == doctest::Approx(-40));
+  CHECK(right == doctest::Approx(40));
 }
 
 TEST_CASE("slices of layers on a bone are of their shape, at their shares, as many as a bone can have") {
@@ -148,6 +203,19 @@ TEST_CASE("slices of layers on a bone are of their shape, at their shares, as ma
   Upright part = upright([](double) { return 60.0; });
   part.recipe.loft.sections = slices.value().onBone;
   CHECK(mesh::inspect(lofted(part)).volume == doctest::Approx(std::numbers::pi * 900 * kLength).epsilon(0.01));
+}
+
+TEST_CASE("layers that fork are copied, and are no slices of a bone") {
+  document::StackRecipe recipe;
+  recipe.rail = {{{0, 0, 0}, {0, 300, 0}}, false};
+  recipe.planes.resize(2);
+  recipe.planes[0].curves = {circleCurve(50, {})};
+  recipe.planes[1].at = 1;
+  recipe.planes[1].curves = {circleCurve(20, {-40, 0}), circleCurve(20, {40, 0})};
+  const auto slices = pipeline::slicesOf(recipe);
+  REQUIRE(slices.ok());
+  CHECK(slices.value().onRail == recipe.planes);
+  CHECK(slices.value().onBone.empty());
 }
 
 TEST_CASE("slices of layers off the rail stand on the rail through their middles") {

@@ -141,8 +141,10 @@ TEST_CASE("the view flies along a part in six seconds and comes back; a press en
   REQUIRE(rig.works("fly-along"));  // once more: it ends where it began
   CHECK(yaw() == before);
   CHECK(fliesOn());
+  const double selected = *rig.state().number("selection");
   rig.click(750, 420);
   CHECK(rig.app->idle());
+  CHECK(*rig.state().number("selection") == selected);
 
   rig.host.reduced = true;
   const double now = yaw();
@@ -199,6 +201,42 @@ TEST_CASE("a layer off the line stands anywhere: moved by numbers and by its kno
   CHECK(layersOf(rig).planes[1].at == on.planes[1].at);
   for (int i = 0; i < 5; ++i) REQUIRE(rig.works("undo"));
   CHECK(layersOf(rig) == on);
+  CHECK(offers(rig, "layer-free"));
   REQUIRE(rig.works("layer-rail", R"({"rail": "ring"})"));
-  CHECK(rig.fault("layer-free", "{}") == "StackInvalid");
+  CHECK(rig.fault("layer-free", "{}") == "NotNow");
+}
+
+TEST_CASE("a layer that leans and is turned comes back to the line as it was, and its lean stays its own") {
+  Paper rig;
+  cone(rig);
+  REQUIRE(rig.works("layer-lean", R"({"front": 20, "side": -30})"));
+  const document::StackRecipe on = layersOf(rig);
+  REQUIRE(rig.works("layer-free"));
+  REQUIRE(rig.works("layer-free"));
+  const auto before = stack::standOf(on.planes[1], on.rail);
+  const auto after = stack::standOf(layersOf(rig).planes[1], on.rail);
+  CHECK(distance(before.value().x, after.value().x) < 1e-6);
+  CHECK(distance(before.value().y, after.value().y) < 1e-6);
+
+  REQUIRE(rig.works("layer-free"));
+  REQUIRE(rig.works("layer-lean", R"({"side": 150})"));
+  REQUIRE(rig.works("layer-sheet", R"({"at": 0.5})"));
+  CHECK(std::abs(*rig.sheet().find("lean")->number("side")) <= 80);
+  // Round a ring all layers stand on the line again.
+  REQUIRE(rig.works("layer-rail", R"({"rail": "ring"})"));
+  for (const stack::Plane& plane : layersOf(rig).planes) CHECK_FALSE(plane.origin);
+}
+
+TEST_CASE("repeated layers stay on their line") {
+  Paper rig;
+  cone(rig);
+  REQUIRE(rig.works("layer-repeat", R"({"times": 3})"));
+  CHECK_FALSE(offers(rig, "layer-free"));
+  REQUIRE(rig.works("copy-slices"));
+  const document::StackRecipe from = layersOf(rig);
+  REQUIRE(rig.works("new-part"));
+  REQUIRE(rig.works("layers"));
+  REQUIRE(rig.works("paste-slices"));
+  CHECK(layersOf(rig).planes == from.planes);
+  CHECK(layersOf(rig).stack.patterns == from.stack.patterns);
 }
