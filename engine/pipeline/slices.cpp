@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "engine/geometry/polyline.h"
+#include "engine/loft/posed.h"
+#include "engine/pipeline/part_shape.h"
 #include "engine/stack/centre_rail.h"
 #include "engine/stack/stand.h"
 
@@ -22,36 +24,18 @@ struct Breadth {
   double offset = 0;  ///< of its middle, to the right
 };
 
-/// Where on the line a point is nearest to it.
-struct Nearest {
-  double at = 0;  ///< share of its length
-  std::size_t segment = 0;
-};
-Nearest nearestOn(const std::vector<PicturePoint>& line, const std::vector<double>& lengths, PicturePoint p) {
-  Nearest best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PicturePoint q = geometry::nearestOnSegment(p, line[i], line[i + 1]);
-    if (distance(p, q) >= least) continue;
-    least = distance(p, q);
-    best = {(lengths[i] + distance(line[i], q)) / lengths.back(), i};
-  }
-  return best;
-}
-
 /// In order along the spine.
 std::vector<Breadth> breadthsOf(const PartShape& shape) {
-  const std::vector<PicturePoint>& spine = shape.spine.points;
-  if (spine.size() < 2) return {};
-  const std::vector<double> lengths = geometry::arcLengths(std::span<const PicturePoint>(spine));
-  if (!(lengths.back() > 0)) return {};
+  const Result<loft::PosedSpine> spine = loft::poseSpine(shape.spine, {});
+  if (!spine) return {};
+  const std::vector<geometry::Frame>& frames = spine.value().rest;
   std::vector<Breadth> out;
   for (const ribs::Rib& rib : shape.ribs.ribs) {
-    const Nearest near = nearestOn(spine, lengths, rib.center);
-    const PicturePoint way = normalized(spine[near.segment + 1] - spine[near.segment]);
-    const PicturePoint right{-way.y, way.x};  // on the screen, where y goes down
+    const double share = loft::shareAt(spine.value(), rib.center);
+    const auto nearest = static_cast<std::size_t>(std::lround(share * static_cast<double>(frames.size() - 1)));
+    const PicturePoint right{frames[nearest].across.x, -frames[nearest].across.y};
     const double from = dot(rib.left - rib.center, right), to = dot(rib.right - rib.center, right);
-    out.push_back({near.at, std::max((to - from) / 2, kLeastHalf), (from + to) / 2});
+    out.push_back({share, std::max((to - from) / 2, kLeastHalf), (from + to) / 2});
   }
   std::ranges::sort(out, {}, &Breadth::at);
   return out;
@@ -142,15 +126,10 @@ void fitWidth(sections::Drawing& drawing) {
 
 stack::Curve curveOf(const sections::DrawnCurve& drawn, const Breadth& size, const Form& form) {
   const double c = std::cos(form.twist), s = std::sin(form.twist);
-  stack::Curve curve;
-  curve.corners.all = std::ranges::all_of(drawn.points, &sections::DrawnPoint::corner);
-  for (const sections::DrawnPoint& point : drawn.points) {
-    if (point.corner && !curve.corners.all) {
-      curve.corners.at.push_back(static_cast<std::uint32_t>(curve.through.size()));
-    }
-    const SectionPoint p{point.at.x, point.at.y * (point.at.y > 0 ? form.front : form.back)};
-    const SectionPoint turned{p.x * c - p.y * s, p.x * s + p.y * c};
-    curve.through.push_back(turned * size.half + SectionPoint{size.offset, 0});
+  stack::Curve curve = stack::curveThrough(drawn);
+  for (SectionPoint& p : curve.through) {
+    p.y *= p.y > 0 ? form.front : form.back;
+    p = SectionPoint{p.x * c - p.y * s, p.x * s + p.y * c} * size.half + SectionPoint{size.offset, 0};
   }
   return curve;
 }
@@ -186,14 +165,30 @@ Status standOnRail(const document::StackRecipe& recipe, Slices& out) {
   return Done{};
 }
 
+/// What is drawn on planes as sections along a bone.
+Result<std::vector<loft::SectionKey>> keysOf(const std::vector<stack::Plane>& planes) {
+  std::vector<loft::SectionKey> keys;
+  const std::size_t count = planes.size(), most = std::min(count, loft::kMostSectionKeys);
+  for (std::size_t i = 0; i < most; ++i) {
+    const stack::Plane& plane = planes[most > 1 ? i * (count - 1) / (most - 1) : 0];
+    if (plane.curves.empty() || (!keys.empty() && plane.at - keys.back().at < geometry::kLeastStep)) continue;
+    std::vector<std::vector<SectionPoint>> outlines;
+    for (const stack::Curve& curve : plane.curves) outlines.push_back(stack::outlineOf(curve));
+    Result<sections::SectionShape> shape = sections::sectionOfOutlines(std::move(outlines));
+    if (!shape) return shape.failure();
+    keys.push_back({plane.at, std::move(shape).value(), plane.blend});
+  }
+  if (const Status status = loft::checkSectionKeys(keys); !status) return status.failure();
+  return keys;
+}
+
 }  // namespace
 
 Result<Slices> slicesOf(const document::LoftRecipe& recipe, const PartShape& shape) {
   const loft::LoftParams& loft = recipe.loft;
   const std::vector<Breadth> all = breadthsOf(shape);
   if (all.size() < 2) return Error::TooFewRibs;
-  Slices out;
-  out.onBone = loft.sections;
+  Slices out{loft.sections, {}, {}, {}};
   out.rail = railAlong(shape.centreLine, recipe.pose.closed, all);
   // The centre line has its points at even shares of the bone as it was drawn, which are none of its length in space.
   const std::vector<double> lengths = geometry::arcLengths(std::span<const ModelPoint>(shape.centreLine));
@@ -229,18 +224,9 @@ Result<Slices> slicesOf(const document::LoftRecipe& recipe, const PartShape& sha
 }
 
 Result<Slices> slicesOf(const document::StackRecipe& recipe) {
-  Slices out;
+  Slices out{std::vector<loft::SectionKey>(), {}, {}, {}};
   if (const Status status = standOnRail(recipe, out); !status) return status.failure();
-  const std::size_t count = out.onRail.size(), most = std::min(count, loft::kMostSectionKeys);
-  for (std::size_t i = 0; i < most; ++i) {
-    const stack::Plane& plane = out.onRail[most > 1 ? i * (count - 1) / (most - 1) : 0];
-    if (!out.onBone.empty() && plane.at - out.onBone.back().at < geometry::kLeastStep) continue;
-    std::vector<std::vector<SectionPoint>> outlines;
-    for (const stack::Curve& curve : plane.curves) outlines.push_back(stack::outlineOf(curve));
-    Result<sections::SectionShape> shape = sections::sectionOfOutlines(std::move(outlines));
-    if (shape) out.onBone.push_back({plane.at, std::move(shape).value(), plane.blend});
-  }
-  if (!loft::checkSectionKeys(out.onBone)) out.onBone.clear();
+  out.onBone = keysOf(out.onRail);
   return out;
 }
 

@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "engine/document/document.h"
-#include "engine/pipeline/part_shape.h"
 
 namespace spineloft::pipeline {
 
+struct PartShape;
+
 /// Places are shares of the length of bone or rail.
 struct Slices {
-  std::vector<loft::SectionKey> onBone;  ///< that a loft may have (loft::checkSectionKeys)
+  Result<std::vector<loft::SectionKey>> onBone;  ///< that a loft may have (loft::checkSectionKeys), or why not
   std::vector<stack::Plane> onRail;
   std::vector<stack::Pattern> patterns;  ///< of `onRail`
   stack::Rail rail;                      ///< the bone in its pose, or the rail: where `onRail` is as the part was
-  bool operator==(const Slices&) const = default;
 };
 
 /// Of a loft and its shape: its sections along a bone; and on a rail sections of the width, depth and twist that it has
@@ -27,7 +27,8 @@ inline constexpr std::size_t kMostCopied = 24;
 
 /// Of a part made of layers: its planes, or, where some of them are off the rail, those on the rail through their
 /// centres (stack::ontoCentres); and the outlines on them as sections, of more than loft::kMostSectionKeys as many,
-/// spread evenly; patterns are not repeated along a bone. Errors: those of ontoCentres; SectionInvalid.
+/// spread evenly; patterns are not repeated along a bone. Errors: those of ontoCentres; StackInvalid (layers that are
+/// repeated while others are off the rail).
 Result<Slices> slicesOf(const document::StackRecipe& recipe);
 
 }  // namespace spineloft::pipeline

@@ -54,6 +54,22 @@ std::vector<Leave> leavesOf(const Cell& cell, const Loop& branch, ModelPoint ste
   return leaves;
 }
 
+/// The point brought into all half-spaces, as far as some rounds of projections do that.
+ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within) {
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    bool inside = true;
+    for (const HalfSpace& half : within) {
+      const double beyond = dot(half.normal, p - half.origin);
+      if (beyond <= 0) continue;
+      p = p - half.normal * beyond;
+      inside = false;
+    }
+    if (inside) break;
+  }
+  return p;
+}
+
 /// The surface from a cell of a stem to its branch.
 void addBranch(const Cell& cell, ModelPoint stemNormal, const Loop& branch, bool inwards, const JointShape& shape,
                Skin& skin) {
@@ -198,21 +214,6 @@ JointCuts addByMiddles(const Joint& joint, const JointShape& whole, Skin& skin) 
 }
 
 }  // namespace
-
-ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within) {
-  constexpr int kRounds = 6;
-  for (int round = 0; round < kRounds; ++round) {
-    bool inside = true;
-    for (const HalfSpace& half : within) {
-      const double beyond = dot(half.normal, p - half.origin);
-      if (beyond <= 0) continue;
-      p = p - half.normal * beyond;
-      inside = false;
-    }
-    if (inside) break;
-  }
-  return p;
-}
 
 JointCuts addJoint(const Joint& joint, const JointShape& shape, Skin& skin) {
   const Ahead up = aheadOf(joint, false), down = aheadOf(joint, true);

@@ -33,9 +33,6 @@ struct HalfSpace {
   ModelPoint origin, normal;
 };
 
-/// The point brought into all half-spaces, as far as some rounds of projections do that.
-ModelPoint held(ModelPoint p, const std::vector<HalfSpace>& within);
-
 /// Where a joint was cut.
 struct JointCuts {
   std::vector<std::optional<double>> below, above;  ///< rise of the first one through each curve; none: it becomes one

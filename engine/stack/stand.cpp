@@ -61,6 +61,18 @@ double lengthOf(const Rail& rail) {
   return line ? line.value().length() : 0;
 }
 
+Curve curveThrough(const sections::DrawnCurve& drawn) {
+  Curve curve;
+  curve.corners.all = std::ranges::all_of(drawn.points, &sections::DrawnPoint::corner);
+  for (const sections::DrawnPoint& point : drawn.points) {
+    if (point.corner && !curve.corners.all) {
+      curve.corners.at.push_back(static_cast<std::uint32_t>(curve.through.size()));
+    }
+    curve.through.push_back(point.at);
+  }
+  return curve;
+}
+
 std::vector<SectionPoint> outlineOf(const Curve& curve) { return polygonOf(curve).points; }
 
 }  // namespace spineloft::stack

@@ -30,6 +30,9 @@ Result<std::vector<Stand>> standsOf(const std::vector<Plane>& planes, const Rail
 /// Length of the rail's line, picture pixels; 0 where it has none.
 double lengthOf(const Rail& rail);
 
+/// A closed curve through the points of a drawing, in its units.
+Curve curveThrough(const sections::DrawnCurve& drawn);
+
 /// What a valid curve encloses, as a ribbon or as ground if it is one, as a closed polygon within a ten-thousandth of
 /// half the curve's size; the last point is not the first one again.
 std::vector<SectionPoint> outlineOf(const Curve& curve);

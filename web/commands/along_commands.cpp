@@ -58,10 +58,8 @@ Outcome pasteSlices(Env env, const Json& args) {
   }
   if (part == nullptr) return noPart();
   if (document::loftOf(*part) == nullptr) return noWay();
-  if (slices.onBone.empty()) {
-    return refuse({Error::SectionInvalid, "along a bone all slices need the same number of pieces and holes"});
-  }
-  return outcomeOf(env.studio.act(document::SetSections{part->id, slices.onBone}));
+  if (!slices.onBone) return refuse(slices.onBone.failure());
+  return outcomeOf(env.studio.act(document::SetSections{part->id, slices.onBone.value()}));
 }
 
 Outcome flyAlong(Env env, const Json& args) {

@@ -24,8 +24,7 @@ namespace {
 using Env = const CommandEnv&;
 
 constexpr double kStep = 0.1, kFineStep = 0.02;  // of the rail
-constexpr const char* kNoRail = "its layers stand on no rail: place each by itself";
-constexpr double kFlat = 0.5;  // sine of the angle from which a sheet is seen well enough to draw
+constexpr double kFlat = 0.5;                    // sine of the angle from which a sheet is seen well enough to draw
 
 std::optional<Sheet> sheetOf(Env env) { return shownSheet(env.studio.document(), env.ui); }
 bool hasPicture(Env env) { return !env.studio.document().pictures.empty(); }

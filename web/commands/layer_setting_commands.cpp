@@ -15,8 +15,6 @@ namespace {
 
 using Env = const CommandEnv&;
 
-constexpr const char* kNoRail = "its layers stand on no rail: place each by itself";
-
 const document::StackRecipe* chosen(Env env) { return layersInHand(env.studio.document(), env.ui); }
 bool hasLayers(Env env) { return chosen(env) != nullptr; }
 bool canRepeat(Env env) { return hasLayers(env) && repeatsOf(*chosen(env)); }

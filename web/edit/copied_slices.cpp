@@ -10,14 +10,6 @@ namespace {
 
 constexpr double kBeside = 1.2;  // of its width, from what was copied
 
-double reachOf(const stack::Plane& plane) {
-  double reach = 0;
-  for (const stack::Curve& curve : plane.curves) {
-    for (const SectionPoint p : curve.through) reach = std::max(reach, norm(p));
-  }
-  return reach;
-}
-
 }  // namespace
 
 Result<pipeline::Slices> slicesOf(const document::Document& document, const pipeline::Derived& derived, PartId id) {
@@ -47,10 +39,8 @@ document::StackRecipe newWithSlices(const Sheet& sheet, const pipeline::Slices& 
   recipe.planes = slices.onRail;
   recipe.stack.patterns = slices.patterns;
   recipe.rail = slices.rail;
-  double wide = 0;
-  for (const stack::Plane& plane : recipe.planes) wide = std::max(wide, 2 * reachOf(plane));
   const auto [left, right] = std::ranges::minmax(recipe.rail.points, {}, &ModelPoint::x);
-  for (ModelPoint& p : recipe.rail.points) p.x += kBeside * (right.x - left.x + wide);
+  for (ModelPoint& p : recipe.rail.points) p.x += kBeside * (right.x - left.x + 2 * reachOf(recipe));
   return recipe;
 }
 

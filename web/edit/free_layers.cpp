@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "web/edit/layer_settings.h"
+
 namespace spineloft::app {
 namespace {
 
@@ -27,12 +29,12 @@ Offset offsetOf(const Sheet& sheet, const stack::Plane& plane) {
 
 Result<document::StackRecipe> withFree(const Sheet& sheet, bool free) {
   if (!sheet.layer) return {Error::StackInvalid, "the sheet lies on no layer: draw one first"};
-  if (!sheet.onRail()) return {Error::StackInvalid, "its layers stand on no rail: place each by itself"};
+  if (!sheet.onRail()) return {Error::StackInvalid, kNoRail};
   if (free && sheet.recipe.rail.closed) {
     return {Error::StackInvalid, "its line is closed, and layers stay on it: give it an open line first"};
   }
   if (free && !sheet.recipe.stack.patterns.empty()) {
-    return {Error::StackInvalid, "its layers are repeated along their line: set Times to 1 first"};
+    return {Error::StackInvalid, kRepeated};
   }
   document::StackRecipe recipe = sheet.recipe;
   stack::Plane& plane = recipe.planes[*sheet.layer];

@@ -48,15 +48,10 @@ sections::DrawnCurve drawnOf(const BoardOnSheet& place, const stack::Curve& curv
 
 /// The points of a drawn curve; links and forks are those of `before`.
 stack::Curve curveOf(const BoardOnSheet& place, const sections::DrawnCurve& drawn, stack::Curve before) {
-  before.through.clear();
-  before.corners = {};
-  before.corners.all = std::ranges::all_of(drawn.points, &sections::DrawnPoint::corner);
-  for (const sections::DrawnPoint& point : drawn.points) {
-    if (point.corner && !before.corners.all) {
-      before.corners.at.push_back(static_cast<std::uint32_t>(before.through.size()));
-    }
-    before.through.push_back(place.middle + point.at * place.unit);
-  }
+  stack::Curve fresh = stack::curveThrough(drawn);
+  for (SectionPoint& p : fresh.through) p = place.middle + p * place.unit;
+  before.through = std::move(fresh.through);
+  before.corners = std::move(fresh.corners);
   return before;
 }
 

@@ -9,6 +9,17 @@
 #include "engine/stack/run.h"
 
 namespace spineloft::app {
+
+double reachOf(const document::StackRecipe& recipe) {
+  double reach = 1;
+  for (const stack::Plane& plane : recipe.planes) {
+    for (const stack::Curve& curve : plane.curves) {
+      for (const SectionPoint p : curve.through) reach = std::max(reach, norm(p));
+    }
+  }
+  return reach;
+}
+
 namespace {
 
 using document::StackRecipe;
@@ -30,17 +41,6 @@ Box boxOf(const stack::Rail& rail) {
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
   return box;
-}
-
-/// The farthest that a curve is from its plane's origin.
-double reachOf(const StackRecipe& recipe) {
-  double reach = 1;
-  for (const stack::Plane& plane : recipe.planes) {
-    for (const stack::Curve& curve : plane.curves) {
-      for (const SectionPoint p : curve.through) reach = std::max(reach, norm(p));
-    }
-  }
-  return reach;
 }
 
 /// Layers, as often as they stand there, as far apart as there is room.
@@ -133,7 +133,7 @@ StackRecipe withDrawnRail(const StackRecipe& recipe, const stack::Rail& rail) {
 
 Result<StackRecipe> withRailThroughMiddles(const StackRecipe& recipe) {
   if (!recipe.stack.patterns.empty()) {
-    return {Error::StackInvalid, "its layers are repeated along their line: set Times to 1 first"};
+    return {Error::StackInvalid, kRepeated};
   }
   auto on = stack::ontoCentres(recipe.planes, recipe.rail);
   if (!on) return on.failure();

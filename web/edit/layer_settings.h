@@ -11,6 +11,13 @@
 
 namespace spineloft::app {
 
+/// Why something cannot be done to a part of layers, and what to do.
+inline constexpr const char* kNoRail = "its layers stand on no rail: place each by itself";
+inline constexpr const char* kRepeated = "its layers are repeated along their line: set Times to 1 first";
+
+/// The farthest that a curve is from its plane's origin, picture pixels.
+double reachOf(const document::StackRecipe& recipe);
+
 /// Ready rails: straight up, straight across, straight away from the viewer, round and closed, and a spring of three
 /// rounds about an upright axis.
 enum class RailShape : std::uint8_t { Up, Across, Deep, Ring, Spring };

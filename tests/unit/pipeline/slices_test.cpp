@@ -8,6 +8,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/mesh/laws.h"
+#include "engine/pipeline/part_shape.h"
 #include "engine/pipeline/slices.h"
 #include "engine/stack/stack.h"
 #include "engine/stack/stand.h"
@@ -89,7 +90,7 @@ TEST_CASE("slices of a bone stand on a rail as wide, deep and turned as the part
     const auto slices = pipeline::slicesOf(part.recipe, part.shape);
     REQUIRE(slices.ok());
     CAPTURE(round);
-    CHECK(slices.value().onBone == loft.sections);
+    CHECK(slices.value().onBone.value() == loft.sections);
     CHECK(stack::lengthOf(slices.value().rail) == doctest::Approx(kLength));
     CHECK(slices.value().onRail.size() <= pipeline::kMostCopied + 2);
     const mesh::TriMesh bone = lofted(part), rail = stacked(slices.value());
@@ -191,17 +192,17 @@ TEST_CASE("slices of layers on a bone are of their shape, at their shares, as ma
   REQUIRE(slices.ok());
   CHECK(slices.value().onRail == recipe.planes);
   CHECK(slices.value().rail == recipe.rail);
-  REQUIRE(slices.value().onBone.size() == loft::kMostSectionKeys);
-  CHECK(loft::checkSectionKeys(slices.value().onBone).ok());
-  CHECK(slices.value().onBone.front().at == 0);
-  CHECK(slices.value().onBone.back().at == 1);
-  for (const loft::SectionKey& key : slices.value().onBone) {
+  REQUIRE(slices.value().onBone.value().size() == loft::kMostSectionKeys);
+  CHECK(loft::checkSectionKeys(slices.value().onBone.value()).ok());
+  CHECK(slices.value().onBone.value().front().at == 0);
+  CHECK(slices.value().onBone.value().back().at == 1);
+  for (const loft::SectionKey& key : slices.value().onBone.value()) {
     CHECK(std::abs(geometry::signedArea(std::span<const SectionPoint>(key.shape.contours[0]))) ==
           doctest::Approx(std::numbers::pi).epsilon(0.01));
   }
   // Lofted along straight ribs they are what they were on the rail, but for their sizes, which ribs give.
   Upright part = upright([](double) { return 60.0; });
-  part.recipe.loft.sections = slices.value().onBone;
+  part.recipe.loft.sections = slices.value().onBone.value();
   CHECK(mesh::inspect(lofted(part)).volume == doctest::Approx(std::numbers::pi * 900 * kLength).epsilon(0.01));
 }
 
@@ -215,7 +216,7 @@ TEST_CASE("layers that fork are copied, and are no slices of a bone") {
   const auto slices = pipeline::slicesOf(recipe);
   REQUIRE(slices.ok());
   CHECK(slices.value().onRail == recipe.planes);
-  CHECK(slices.value().onBone.empty());
+  CHECK(slices.value().onBone.failure().error == Error::SectionInvalid);
 }
 
 TEST_CASE("slices of layers off the rail stand on the rail through their middles") {
